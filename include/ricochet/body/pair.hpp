@@ -1,0 +1,43 @@
+#pragma once
+#include <ricochet/body/sphere.hpp>
+
+namespace ricochet {
+
+/// All that a normal collision needs to know of its two bodies [Krijt 2013, after (1) and (20)]:
+/// 1/E* = sum (1-nu_i^2)/E_i, 1/R = sum 1/R_i, 1/m* = sum 1/m_i.
+template <class S>
+struct basic_pair {
+  typename S::modulus reduced_modulus; ///< E*; the relaxed (slow) one where a crack law is present
+  typename S::length reduced_radius;   ///< R
+  typename S::mass reduced_mass;       ///< m*
+};
+using contact_pair = basic_pair<dimensional>;
+
+namespace detail {
+inline auto compliance(const material& solid) {
+  return (1 - square(solid.poissons_ratio)) / solid.youngs_modulus;
+}
+} // namespace detail
+
+/// \throws bad_input naming quantity, value and range.
+inline contact_pair between(const sphere& one, const sphere& other) {
+  validate(one.solid, "first sphere: ");
+  require("first sphere: radius", one.radius, positive);
+  validate(other.solid, "second sphere: ");
+  require("second sphere: radius", other.radius, positive);
+  return {.reduced_modulus = 1.0 / (detail::compliance(one.solid) + detail::compliance(other.solid)),
+          .reduced_radius = 1.0 / (1.0 / one.radius + 1.0 / other.radius),
+          .reduced_mass = 1.0 / (1.0 / one.mass() + 1.0 / other.mass())};
+}
+
+/// \throws bad_input naming quantity, value and range.
+inline contact_pair between(const sphere& body, const flat_wall& wall) {
+  validate(body.solid, "sphere: ");
+  require("sphere: radius", body.radius, positive);
+  validate(wall.solid, "wall: ");
+  return {.reduced_modulus = 1.0 / (detail::compliance(body.solid) + detail::compliance(wall.solid)),
+          .reduced_radius = body.radius,
+          .reduced_mass = body.mass()};
+}
+
+} // namespace ricochet

@@ -1,0 +1,63 @@
+// Validation at the door: a wrong number is refused with its name, value and allowed range.
+#pragma once
+#include <ricochet/units.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace ricochet {
+
+/// Thrown for every wrong input; what() is one sentence naming quantity, value and range.
+struct bad_input : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Allowed range of a parameter in SI units. Infinity is allowed only where an end is infinite and closed.
+struct range {
+  double low = 0;
+  double high = std::numeric_limits<double>::infinity();
+  bool low_included = true;
+  bool high_included = false;
+
+  constexpr bool contains(double x) const {
+    return (low_included ? x >= low : x > low) && (high_included ? x <= high : x < high);
+  }
+  std::string text() const {
+    char buffer[80];
+    std::snprintf(buffer, sizeof buffer, "%c%g, %g%c", low_included ? '[' : '(', low, high, high_included ? ']' : ')');
+    return buffer;
+  }
+};
+
+inline constexpr range positive{.low_included = false};
+inline constexpr range non_negative{};
+inline constexpr range poissons_ratio_range{.high = 0.5};
+inline constexpr range modulus_ratio_range{.low = 1e-4, .high = 0.98, .high_included = true};
+
+/// \throws bad_input if the quantity lies outside its range (NaN always does).
+template <class Quantity>
+void require(const std::string& name, const Quantity& quantity, const range& allowed) {
+  const double x = in_si(quantity);
+  if (allowed.contains(x))
+    return;
+  char value[40];
+  std::snprintf(value, sizeof value, "%.9g", x);
+  const std::string unit = unit_symbol(quantity);
+  throw bad_input(name + " = " + value + (unit.empty() ? "" : " " + unit) + " is outside " + allowed.text() +
+                  (unit.empty() ? "" : " " + unit));
+}
+
+/// One parameter of a law: its name, where it lives and what it may be.
+template <class Member>
+struct parameter {
+  const char* name;
+  Member member;
+  range allowed;
+};
+template <class Member>
+parameter(const char*, Member, range) -> parameter<Member>;
+
+} // namespace ricochet

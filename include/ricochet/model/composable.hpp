@@ -1,0 +1,51 @@
+// Which laws go together: one predicate and one table.
+#pragma once
+#include <ricochet/law/adhesion/adhesion_law.hpp>
+#include <ricochet/law/crack/crack_velocity_law.hpp>
+#include <ricochet/law/damping/bulk_damping_law.hpp>
+#include <ricochet/law/elastic/elastic_law.hpp>
+
+#include <string_view>
+
+namespace ricochet {
+
+/// How many laws of each role a composition names.
+struct role_count {
+  int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0;
+};
+
+/// Empty if laws in these numbers go together, else the sentence of refusal.
+constexpr std::string_view refusal(const role_count& n) {
+  if (n.elastic == 0)
+    return "a contact model needs an elastic law: add hertz{}";
+  if (n.elastic > 1)
+    return "two elastic laws were given: keep one";
+  if (n.adhesion > 1)
+    return "two adhesion laws were given: keep one";
+  if (n.crack > 1)
+    return "two crack-velocity laws were given: keep one";
+  if (n.damping > 1)
+    return "two bulk damping laws were given: keep one";
+  if (n.end > 1)
+    return "two end conditions were given: keep one";
+  if (n.crack == 1 && n.adhesion == 0)
+    return "a crack-velocity law needs an adhesion law with a surface energy: add jkr{...}";
+  if (n.end == 1 && n.adhesion == 1)
+    return "an end condition is only for contacts without adhesion: with jkr{...} the edge decides where contact ends";
+  return "";
+}
+
+template <class... Laws>
+constexpr role_count count_roles() {
+  return {.elastic = (int(plays<Laws, role::elastic>) + ... + 0),
+          .adhesion = (int(plays<Laws, role::adhesion>) + ... + 0),
+          .crack = (int(plays<Laws, role::crack>) + ... + 0),
+          .damping = (int(plays<Laws, role::damping>) + ... + 0),
+          .end = (int(plays<Laws, role::end>) + ... + 0)};
+}
+
+/// Can these laws be composed?
+template <class... Laws>
+inline constexpr bool composable = (has_role<Laws> && ...) && refusal(count_roles<Laws...>()).empty();
+
+} // namespace ricochet

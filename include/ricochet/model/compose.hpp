@@ -1,0 +1,94 @@
+#pragma once
+#include <ricochet/law/end.hpp>
+#include <ricochet/model/composable.hpp>
+#include <ricochet/model/contact_model.hpp>
+
+namespace ricochet {
+
+namespace detail {
+
+template <class L>
+consteval bool diagnose() {
+  static_assert(has_role<L>, "every argument of compose() after the pair must be a law or a request: it needs `using role = ...`");
+  if constexpr (plays<L, role::elastic>)
+    static_assert(elastic_law<L>, "elastic law: force, stored_energy, energy_release_rate or load_free_approach is "
+                                  "missing or returns another type (law/elastic/elastic_law.hpp)");
+  if constexpr (plays<L, role::adhesion>)
+    static_assert(adhesion_law<L>, "adhesion law: work_of_adhesion, surface_energy, flattening, touch_radius, fold_radius, "
+                                   "contact_radius, pull_off_force or exit_energy is missing or returns another type "
+                                   "(law/adhesion/adhesion_law.hpp)");
+  if constexpr (plays<L, role::crack>)
+    static_assert(crack_velocity_law<L>, "crack-velocity law: joints, speed_scale, first_ratio, rate or relaxation_time is "
+                                         "missing or returns another type (law/crack/crack_velocity_law.hpp)");
+  if constexpr (plays<L, role::damping>)
+    static_assert(bulk_damping_law<L>, "bulk damping law: coefficient(pair, configuration) is missing or returns another "
+                                       "type (law/damping/bulk_damping_law.hpp)");
+  return true;
+}
+
+/// The law of this role among the arguments, or the fallback.
+template <class Role, class Fallback, class First, class... Rest>
+constexpr auto pick(const Fallback& fallback, const First& first, const Rest&... rest) {
+  if constexpr (plays<First, Role>)
+    return first;
+  else if constexpr (sizeof...(Rest) == 0)
+    return fallback;
+  else
+    return pick<Role>(fallback, rest...);
+}
+
+template <class Request, class... Arguments>
+inline constexpr bool names = (std::same_as<Request, Arguments> || ...);
+
+template <class Law>
+void admit(Law& law) {
+  if constexpr (requires { Law::parameters(); })
+    validate_law(law);
+  if constexpr (requires { law.validate(); })
+    law.validate();
+  if constexpr (requires { law.tabulate(); })
+    law.tabulate();
+}
+
+} // namespace detail
+
+/// A contact model of exactly the physics named, in any order; laws' parameters are validated and tables made here.
+/// \throws bad_input naming quantity, value and range. An illegal composition does not compile; its static_assert is one
+/// sentence.
+template <class... Arguments>
+auto compose(const contact_pair& pair, const Arguments&... arguments) {
+  static_assert((detail::diagnose<Arguments>() && ...));
+  constexpr role_count n = count_roles<Arguments...>();
+  static_assert(n.elastic != 0, "a contact model needs an elastic law: add hertz{}");
+  static_assert(n.elastic < 2, "two elastic laws were given: keep one");
+  static_assert(n.adhesion < 2, "two adhesion laws were given: keep one");
+  static_assert(n.crack < 2, "two crack-velocity laws were given: keep one");
+  static_assert(n.damping < 2, "two bulk damping laws were given: keep one");
+  static_assert(n.end < 2, "two end conditions were given: keep one");
+  static_assert(n.crack == 0 || n.adhesion != 0,
+                "a crack-velocity law needs an adhesion law with a surface energy: add jkr{...}");
+  static_assert(n.end == 0 || n.adhesion == 0,
+                "an end condition is only for contacts without adhesion: with jkr{...} the edge decides where contact ends");
+  if constexpr (composable<Arguments...>) {
+    require("reduced_modulus", pair.reduced_modulus, positive);
+    require("reduced_radius", pair.reduced_radius, positive);
+    require("reduced_mass", pair.reduced_mass, positive);
+    auto elastic = detail::pick<role::elastic>(absent<role::elastic>{}, arguments...);
+    auto adhesion = detail::pick<role::adhesion>(absent<role::adhesion>{}, arguments...);
+    auto crack = detail::pick<role::crack>(absent<role::crack>{}, arguments...);
+    auto damping = detail::pick<role::damping>(absent<role::damping>{}, arguments...);
+    const auto end = detail::pick<role::end>(end_at_zero_force{}, arguments...);
+    detail::admit(elastic);
+    detail::admit(adhesion);
+    detail::admit(crack);
+    detail::admit(damping);
+    constexpr requests asked{.ledger = detail::names<energy_ledger, Arguments...>,
+                             .duration = detail::names<contact_duration, Arguments...>,
+                             .extremes = detail::names<extremes, Arguments...>,
+                             .trajectory = detail::names<trajectory, Arguments...>};
+    return contact_model<decltype(elastic), decltype(adhesion), decltype(crack), decltype(damping),
+                         std::remove_const_t<decltype(end)>, asked>{pair, elastic, adhesion, crack, damping};
+  }
+}
+
+} // namespace ricochet

@@ -1,0 +1,58 @@
+#pragma once
+#include <ricochet/law/end.hpp>
+#include <ricochet/model/requests.hpp>
+
+namespace ricochet {
+
+/// The physics of a scene: a pair of bodies and one law for each role that is there. Made by compose(); constant
+/// thereafter, so that many threads may use one model.
+template <class Elastic, class Adhesion, class Crack, class Damping, class End, requests Asked>
+struct contact_model {
+  using end_condition = End;
+  static constexpr requests asked = Asked;
+  static constexpr bool adhesive = is_present<Adhesion>;
+  static constexpr bool damped = is_present<Damping>;
+  static constexpr bool has_crack_law = is_present<Crack>;
+
+  contact_pair pair;
+  [[no_unique_address]] Elastic elastic;
+  [[no_unique_address]] Adhesion adhesion;
+  [[no_unique_address]] Crack crack;
+  [[no_unique_address]] Damping damping;
+
+  /// The same scene with the static edge: the limit of an infinitely fast crack.
+  contact_model<Elastic, Adhesion, absent<role::crack>, Damping, End, Asked> with_static_edge() const {
+    return {pair, elastic, adhesion, {}, damping};
+  }
+
+  /// Scales in which an impact at this speed is computed.
+  scales scales_at(speed v) const {
+    if constexpr (adhesive)
+      return scales_of(pair, v, adhesion.work_of_adhesion);
+    else
+      return scales_of(pair, v, energy_per_area{});
+  }
+
+  /// Elastic force on the pair for one configuration, > 0 repulsive: for authors of codes with their own loop.
+  force elastic_force(length approach, length radius) const {
+    return elastic.force(pair, {approach, speed{}, radius, root(radius)});
+  }
+
+  /// Damping force for one configuration, > 0 where it opposes an approach.
+  force damping_force(length approach, speed rate, length radius) const requires damped {
+    return damping.coefficient(pair, {approach, rate, radius, root(radius)}) * rate;
+  }
+
+  /// Contact radius of the static edge at this approach (Hertzian without adhesion, the stable JKR branch with it).
+  length static_radius(length approach) const {
+    if constexpr (adhesive)
+      return adhesion.contact_radius(pair, approach);
+    else
+      return approach > length{} ? length(sqrt(approach * pair.reduced_radius)) : length{};
+  }
+
+private:
+  static root_length root(length radius) { return boost::units::root<2>(radius); }
+};
+
+} // namespace ricochet

@@ -1,0 +1,233 @@
+#pragma once
+#include <ricochet/model/contact_model.hpp>
+#include <ricochet/model/state.hpp>
+
+namespace ricochet {
+
+/// A contact model on plain numbers T in the scales of a collision, and its equations of motion in the coordinate and
+/// the slowed time in which they are smooth.
+///
+/// Edge slaved to the approach: the coordinate is y = a, or sqrt(a) where a law needs that, and dt = (d delta/dy) d sigma;
+/// so y' = rate, and the fold of JKR or the touch of Hertz are ordinary crossings.
+/// Free edge (crack law): the unknowns are delta, rate and y = sqrt(a), with
+/// sqrt(beta) = (y^4/R - delta)/(c y), and dt = d sigma/sqrt(1 + (dy/dt)^2/ref^2), finite where the edge's speed is not.
+template <class T, class Model>
+class reduced_model {
+  template <class Law>
+  using in_numbers = typename Law::template in<reduced<T>>;
+  using elastic_type = in_numbers<decltype(Model::elastic)>;
+  using adhesion_type = in_numbers<decltype(Model::adhesion)>;
+  using crack_type = in_numbers<decltype(Model::crack)>;
+  using damping_type = in_numbers<decltype(Model::damping)>;
+
+public:
+  using number = T;
+  using model_type = Model;
+  static constexpr bool adhesive = Model::adhesive;
+  static constexpr bool damped = Model::damped;
+  static constexpr bool free_edge = Model::has_crack_law;
+  static constexpr bool root_coordinate =
+      adhesive || needs_root_radius<decltype(Model::elastic)> || needs_root_radius<decltype(Model::damping)>;
+  static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory;
+
+  using coordinate_t = std::conditional_t<root_coordinate, root_contact_radius_t, contact_radius_t>;
+  using unknowns = join<variables<coordinate_t, approach_rate_t>, optionally<mutual_approach_t, free_edge>,
+                        optionally<elapsed_time_t, keeps_time>, optionally<bulk_loss_t, Model::asked.ledger && damped>,
+                        optionally<crack_loss_t, Model::asked.ledger && free_edge>>;
+  using state_type = state<T, unknowns>;
+  static constexpr coordinate_t coordinate{};
+
+  basic_pair<reduced<T>> pair;
+  [[no_unique_address]] elastic_type elastic;
+  [[no_unique_address]] adhesion_type adhesion;
+  [[no_unique_address]] crack_type crack;
+  [[no_unique_address]] damping_type damping;
+
+  reduced_model(const Model& model, const scales& unit)
+      : reduced_model(model, [&unit](const auto& quantity) { return reduce<T>(quantity, unit); }) {}
+
+  /// The same numbers in another scalar type.
+  template <class Other>
+  explicit reduced_model(const reduced_model<Other, Model>& numbers)
+      : reduced_model(numbers, [](const Other& x) { return T(x); }) {}
+
+  /// Recomputes what is constant during a collision; to be called after a law's parameter was changed.
+  void prepare() {
+    using std::sqrt;
+    if constexpr (adhesive) {
+      flattening_ = adhesion.flattening(pair);
+      exit_energy_ = free_edge ? T(0) : adhesion.exit_energy(pair);
+    }
+    if constexpr (free_edge) {
+      edge_speed_ = crack.speed_scale(pair, adhesion.work_of_adhesion);
+      reference_ = sqrt(sqrt(pair.reduced_radius)) / T(2);
+    }
+  }
+
+  /// Least energy the contact has where it lets go; below it, it can never separate.
+  const T& exit_energy() const { return exit_energy_; }
+
+  /// A contact at one instant, and how its coordinates move in slowed time.
+  struct instant {
+    configuration<reduced<T>> c;
+    T clock;           ///< dt/d(sigma)
+    T coordinate_rate; ///< dy/d(sigma)
+    T root_ratio;      ///< sqrt(G/w); 1 for a slaved edge with adhesion, 0 without
+    T slowness;        ///< of a free edge: 0 where it runs at infinite speed
+    bool inside;       ///< false outside the domain of the equations
+  };
+
+  /// `piece` of the crack law to be used, or sliding(j) while the edge is held at joint j, where the law jumps and
+  /// both sides of the jump push beta back to it; ignored without a crack law.
+  instant at(const state_type& x, int piece) const {
+    instant now{};
+    const T& y = x[coordinate];
+    now.c.rate = x[approach_rate];
+    now.c.radius = root_coordinate ? T(y * y) : y;
+    if constexpr (root_coordinate)
+      now.c.root_radius = y;
+    now.inside = true;
+    if constexpr (free_edge) {
+      using std::sqrt;
+      now.c.approach = x[mutual_approach];
+      now.root_ratio = (elastic.load_free_approach(pair, now.c.radius) - now.c.approach) / (flattening_ * y);
+      now.inside = value_of(y) > 0 && value_of(now.root_ratio) > 0;
+      if (!now.inside)
+        return now;
+      edge_rate<T> edge{};
+      T advance; // dy/dt times the slowness
+      if (piece >= 0) {
+        edge = crack.rate(now.root_ratio, piece);
+        advance = edge_speed_ * edge.advance / (T(2) * y);
+      } else {
+        edge.slowness = T(1);
+        advance = now.c.rate / root_ratio_gradient(now);
+      }
+      const T scaled = advance / reference_;
+      const T norm = T(1) / sqrt(edge.slowness * edge.slowness + scaled * scaled);
+      now.slowness = edge.slowness;
+      now.clock = edge.slowness * norm;
+      now.coordinate_rate = advance * norm;
+    } else {
+      now.c.approach = elastic.load_free_approach(pair, now.c.radius);
+      now.clock = elastic.load_free_slope(pair, now.c.radius);
+      if constexpr (root_coordinate)
+        now.clock *= T(2) * y;
+      if constexpr (adhesive) {
+        now.c.approach -= flattening_ * y;
+        now.clock -= flattening_;
+        now.root_ratio = T(1);
+      }
+      now.coordinate_rate = now.c.rate;
+    }
+    return now;
+  }
+
+  /// The `piece` of an edge held at joint j.
+  static constexpr int sliding(int joint) { return -1 - joint; }
+
+  /// d(sqrt beta)/d(sigma), by the law of this piece.
+  T root_ratio_rate(const state_type& x, int piece) const requires free_edge {
+    const instant now = at(x, piece);
+    return (root_ratio_gradient(now) * now.coordinate_rate - now.c.rate * now.clock) / (flattening_ * x[coordinate]);
+  }
+
+  T damping_force(const configuration<reduced<T>>& c) const {
+    if constexpr (damped)
+      return damping.coefficient(pair, c) * c.rate;
+    else
+      return T(0);
+  }
+
+  /// Force between the bodies, elastic and damping, > 0 repulsive.
+  T total_force(const configuration<reduced<T>>& c) const { return elastic.force(pair, c) + damping_force(c); }
+
+  T kinetic_energy(const T& rate) const { return pair.reduced_mass * rate * rate / T(2); }
+
+  T surface_energy(const configuration<reduced<T>>& c) const {
+    if constexpr (adhesive)
+      return adhesion.surface_energy(c.radius);
+    else
+      return T(0);
+  }
+
+  /// U_E + U_S.
+  T potential(const configuration<reduced<T>>& c) const { return elastic.stored_energy(pair, c) + surface_energy(c); }
+
+  /// dx/d(sigma); false outside the domain.
+  bool derivative(const state_type& x, state_type& dx, int piece) const {
+    const instant now = at(x, piece);
+    if (!now.inside)
+      return false;
+    const T damping_now = damping_force(now.c);
+    dx[coordinate] = now.coordinate_rate;
+    dx[approach_rate] = -(elastic.force(pair, now.c) + damping_now) * now.clock / pair.reduced_mass;
+    if constexpr (free_edge)
+      dx[mutual_approach] = now.c.rate * now.clock;
+    if constexpr (keeps_time)
+      dx[elapsed_time] = now.clock;
+    if constexpr (Model::asked.ledger && damped)
+      dx[bulk_loss] = damping_now * now.c.rate * now.clock;
+    if constexpr (Model::asked.ledger && free_edge) // [K (C.2)] with da = 2y dy
+      dx[crack_loss] = T(4) * pi<T>() * now.c.radius * adhesion.work_of_adhesion * (T(1) - now.root_ratio) *
+                       (T(1) + now.root_ratio) * x[coordinate] * now.coordinate_rate;
+    return true;
+  }
+
+  /// The contact at touch, delta = 0, at this speed; quadratures at zero.
+  state_type touch(const T& speed) const {
+    using std::sqrt;
+    state_type x{};
+    for (auto& component : x)
+      component = T(0);
+    x[approach_rate] = speed;
+    if constexpr (free_edge)
+      x[coordinate] = sqrt(T(adhesion.touch_radius(pair) * cube_root(crack.first_ratio())));
+    else if constexpr (adhesive)
+      x[coordinate] = sqrt(adhesion.touch_radius(pair));
+    return x;
+  }
+
+  /// Coordinate at the fold of the static branch, where a slaved adhesive edge lets go.
+  T fold_coordinate() const requires adhesive {
+    using std::sqrt;
+    return sqrt(adhesion.fold_radius(pair));
+  }
+
+  /// Past the fold an edge that runs at its limit lets go; before it, the edge slides along the branch.
+  bool past_fold(const configuration<reduced<T>>& c) const {
+    return value_of(c.approach) < -3 * value_of(elastic.load_free_approach(pair, c.radius));
+  }
+
+  /// Size of the unknowns in a collision: the measure of their errors.
+  state_type typical() const {
+    using std::sqrt;
+    state_type x{};
+    for (auto& component : x)
+      component = T(1);
+    x[coordinate] = sqrt(pair.reduced_radius);
+    if constexpr (root_coordinate)
+      x[coordinate] = sqrt(x[coordinate]);
+    return x;
+  }
+
+private:
+  template <class Source, class Convert>
+  reduced_model(const Source& source, const Convert& convert)
+      : pair{convert(source.pair.reduced_modulus), convert(source.pair.reduced_radius),
+             convert(source.pair.reduced_mass)},
+        elastic(rebind_law<reduced<T>>(source.elastic, convert)),
+        adhesion(rebind_law<reduced<T>>(source.adhesion, convert)),
+        crack(rebind_law<reduced<T>>(source.crack, convert)), damping(rebind_law<reduced<T>>(source.damping, convert)) {
+    prepare();
+  }
+
+  /// d(delta)/dy at constant beta.
+  T root_ratio_gradient(const instant& now) const {
+    return elastic.load_free_slope(pair, now.c.radius) * T(2) * now.c.root_radius - flattening_ * now.root_ratio;
+  }
+
+  T flattening_ = T(0), exit_energy_ = T(0), edge_speed_ = T(0), reference_ = T(1);
+};
+
+} // namespace ricochet

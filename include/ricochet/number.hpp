@@ -1,0 +1,71 @@
+// What a scalar type must offer to be put into the laws' formulas: the few things beyond + - * / sqrt log exp pow.
+// Adapters for other types stand in number/: autodiff.hpp, multiprecision.hpp, xsimd.hpp.
+#pragma once
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <numbers>
+
+#ifdef __FAST_MATH__
+#error "ricochet: compile without -ffast-math; error bounds, infinities and signed zeros would lose their meaning"
+#endif
+
+namespace ricochet {
+
+/// How ricochet sees a scalar type T. `real` is the plain number that steers steps and events;
+/// `value` is the part of x that it looks at; `inverts_exactly` is true where a double-precision table is too coarse.
+template <class T>
+struct number_traits {
+  static_assert(std::floating_point<T>,
+                "this scalar type is unknown to ricochet: include its adapter from ricochet/number/ first");
+  using real = T;
+  static constexpr bool inverts_exactly = false;
+  static constexpr T pi() { return std::numbers::pi_v<T>; }
+  static constexpr T euler_gamma() { return std::numbers::egamma_v<T>; }
+  static constexpr real value(const T& x) { return x; }
+};
+
+template <class T>
+using real_of = typename number_traits<T>::real;
+
+template <class T>
+constexpr real_of<T> value_of(const T& x) {
+  return number_traits<T>::value(x);
+}
+
+template <class T>
+T pi() {
+  return number_traits<T>::pi();
+}
+
+/// `condition ? yes() : no()`. A pack evaluates both sides and blends: clamp arguments first, so that neither
+/// side makes a NaN.
+template <class T, class Yes, class No>
+constexpr T select(bool condition, Yes yes, No no) {
+  return condition ? T(yes()) : T(no());
+}
+
+/// f(x) for a function known only on real numbers through `f.value(x)` and `f.slope(x)`.
+template <std::floating_point T, class F>
+T evaluate(const F& f, const T& x) {
+  return f.value(x);
+}
+
+template <class T>
+constexpr T square(const T& x) {
+  return x * x;
+}
+
+template <class T>
+constexpr T cube(const T& x) {
+  return x * x * x;
+}
+
+/// Cube root for any scalar with pow: only for set-up, never in a loop.
+template <class T>
+T cube_root(const T& x) {
+  using std::pow;
+  return value_of(x) > 0 ? T(pow(x, T(1) / T(3))) : T(0);
+}
+
+} // namespace ricochet

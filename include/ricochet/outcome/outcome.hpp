@@ -1,0 +1,94 @@
+#pragma once
+#include <ricochet/model/requests.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ricochet {
+
+/// How a collision ended.
+enum class ending {
+  separated,  ///< the bodies fly apart
+  captured,   ///< certified: what energy is left can never separate them
+  unresolved, ///< the budget of evaluations was spent before the contact ended or was certified
+  failed      ///< the solver could not go on; see reason
+};
+
+constexpr const char* name_of(ending e) {
+  switch (e) {
+  case ending::separated:
+    return "separated";
+  case ending::captured:
+    return "captured";
+  case ending::unresolved:
+    return "unresolved";
+  default:
+    return "failed";
+  }
+}
+
+/// Losses in units of the initial kinetic energy, jumps included; largest |energy| met sets the residual's scale.
+template <class T>
+struct ledger_result {
+  T crack_loss{};           ///< lost at the contact's edge; of a static edge its jumps
+  T bulk_loss{};            ///< lost in the bulk, with what relaxes after separation
+  T remaining_energy{};     ///< kinetic + elastic + surface energy at the end
+  T ledger_residual{};      ///< (initial energy - remaining - losses)/largest energy met
+};
+
+template <class Duration>
+struct duration_result {
+  Duration contact_duration{}; ///< first touch to final loss of contact, flights included; so far, if not separated
+};
+
+/// Largest values in all contacts of the collision; when captured, up to the certificate.
+template <class Length, class Force>
+struct extremes_result {
+  Length max_approach{};
+  Length max_contact_radius{};
+  Force max_tension{};     ///< of the total force, elastic and damping
+  Force max_compression{}; ///< likewise
+};
+
+template <class Column>
+struct trajectory_columns {
+  Column time, mutual_approach, approach_rate, contact_radius, elastic_force, damping_force, kinetic_energy,
+      elastic_energy, surface_energy, crack_loss, bulk_loss;
+};
+
+/// The motion, one row a state; in SI units once it leaves collide(). crack_loss and bulk_loss are filled where the
+/// ledger was asked for.
+struct trajectory_result {
+  trajectory_columns<std::vector<double>> trajectory;
+};
+
+namespace detail {
+template <int>
+struct nothing {};
+template <bool Wanted, class Part, int Place>
+using part = std::conditional_t<Wanted, Part, nothing<Place>>;
+} // namespace detail
+
+/// What came out of a collision. The parts that were not asked for in compose() are not there.
+template <class T, class Length, class Duration, class Force, requests Asked>
+struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
+                       detail::part<Asked.duration, duration_result<Duration>, 1>,
+                       detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
+                       detail::part<Asked.trajectory, trajectory_result, 3> {
+  ricochet::ending ending = ricochet::ending::failed;
+  std::optional<T> restitution; ///< of the final separation; absent when the bodies did not separate
+  bool ending_is_certain = true; ///< false so near a threshold that the error bound does not decide
+  double error_estimate = 0;    ///< bound of the error of the restitution
+  int contacts = 1;
+  long evaluations = 0;    ///< of the equations of motion, all solutions together
+  long rejected_steps = 0; ///< likewise
+  std::string reason;      ///< of an ending that is unresolved or failed
+};
+
+template <requests Asked>
+using outcome = basic_outcome<double, length, duration, force, Asked>;
+template <class T, requests Asked>
+using reduced_outcome = basic_outcome<T, T, T, T, Asked>;
+
+} // namespace ricochet

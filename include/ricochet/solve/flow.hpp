@@ -1,0 +1,29 @@
+#pragma once
+#include <ricochet/model/reduced_model.hpp>
+
+namespace ricochet {
+
+/// A reduced model as an odeint System, with what the solver must know of its last evaluations. Copy-free: pass it by
+/// std::ref.
+template <class Reduced>
+struct flow {
+  using state_type = typename Reduced::state_type;
+  using number = typename Reduced::number;
+  using real = real_of<number>;
+
+  const Reduced& model;
+  int piece = 0;         ///< of the crack law; held during a step, so that every step is smooth
+  bool outside = false;  ///< set when a stage left the domain of the equations; its step has to be rejected
+  long evaluations = 0;
+
+  void operator()(const state_type& x, state_type& dx, const real&) {
+    ++evaluations;
+    if (model.derivative(x, dx, piece))
+      return;
+    outside = true;
+    for (auto& component : dx)
+      component = number(0);
+  }
+};
+
+} // namespace ricochet

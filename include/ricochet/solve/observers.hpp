@@ -1,0 +1,126 @@
+#pragma once
+#include <ricochet/outcome/outcome.hpp>
+#include <ricochet/solve/extremum.hpp>
+#include <ricochet/solve/flow.hpp>
+
+namespace ricochet {
+
+/// Watches a collision step by step for what its model asks beyond the ending: extremes and trajectory. Where neither is
+/// asked for, it is empty and does nothing.
+template <class Reduced, class Method>
+class observers {
+  using T = typename Reduced::number;
+  using real = real_of<T>;
+  using state_type = typename Reduced::state_type;
+  using flow_type = flow<Reduced>;
+  static constexpr requests asked = Reduced::model_type::asked;
+
+  static real radius(const Reduced& model, const state_type& x, int piece) {
+    return value_of(model.at(x, piece).c.radius);
+  }
+  static real tension(const Reduced& model, const state_type& x, int piece) {
+    return -value_of(model.total_force(model.at(x, piece).c));
+  }
+  static real compression(const Reduced& model, const state_type& x, int piece) { return -tension(model, x, piece); }
+
+  struct largest {
+    real (*observable)(const Reduced&, const state_type&, int);
+    maximum<real> found{real(0)};
+  };
+  struct earlier_step { // what is needed to look into it again
+    Method method;
+    state_type x;
+    int piece;
+  };
+  struct extremes_part {
+    T approach = T(0);
+    std::array<largest, 3> others{largest{radius}, largest{tension}, largest{compression}};
+    std::optional<earlier_step> earlier;
+  };
+  struct nothing {};
+
+public:
+  void touched(const Reduced& model, const state_type& x) {
+    if constexpr (asked.extremes) {
+      parts_.earlier.reset();
+      for (auto& each : parts_.others)
+        each.found.restart(each.observable(model, x, 0));
+    }
+    if constexpr (asked.trajectory)
+      record(model, x, 0);
+  }
+
+  /// A step of size h has led from x to `reached`.
+  void stepped(flow_type& flow, Method& method, const state_type& x, const state_type& reached, const real& h) {
+    const Reduced& model = flow.model;
+    if constexpr (asked.extremes) {
+      for (auto& each : parts_.others) {
+        const auto here = [&](const real& t) -> real {
+          return each.observable(model, method.within(flow, x, t), flow.piece);
+        };
+        const auto before = [&](const real& t) -> real {
+          auto& [its_method, its_x, its_piece] = *parts_.earlier;
+          const int piece_now = std::exchange(flow.piece, its_piece);
+          const real value = each.observable(model, its_method.within(flow, its_x, t), its_piece);
+          flow.piece = piece_now;
+          return value;
+        };
+        each.found.step(h, each.observable(model, reached, flow.piece), before, here);
+      }
+      parts_.earlier.emplace(earlier_step{method, x, flow.piece});
+    }
+    if constexpr (asked.trajectory) {
+      constexpr int rows_a_step = 8;
+      for (int i = 1; i < rows_a_step; ++i)
+        record(model, method.within(flow, x, h * i / rows_a_step), flow.piece);
+      record(model, reached, flow.piece);
+    }
+  }
+
+  void turned(const Reduced& model, const state_type& x, int piece) {
+    if constexpr (asked.extremes) {
+      const T approach = model.at(x, piece).c.approach;
+      if (value_of(approach) > value_of(parts_.approach))
+        parts_.approach = approach;
+    }
+  }
+
+  template <class Outcome>
+  void report(Outcome& out) {
+    if constexpr (asked.extremes) {
+      out.max_approach = parts_.approach;
+      out.max_contact_radius = T(parts_.others[0].found.value());
+      out.max_tension = T(parts_.others[1].found.value());
+      out.max_compression = T(parts_.others[2].found.value());
+    }
+    if constexpr (asked.trajectory)
+      out.trajectory = std::move(rows_);
+  }
+
+private:
+  void record(const Reduced& model, const state_type& x, int piece) {
+    const auto c = model.at(x, piece).c;
+    const auto put = [](std::vector<double>& column, const T& value) {
+      column.push_back(static_cast<double>(value_of(value)));
+    };
+    put(rows_.time, x[elapsed_time]);
+    put(rows_.mutual_approach, c.approach);
+    put(rows_.approach_rate, c.rate);
+    put(rows_.contact_radius, c.radius);
+    put(rows_.elastic_force, model.elastic.force(model.pair, c));
+    put(rows_.damping_force, model.damping_force(c));
+    put(rows_.kinetic_energy, model.kinetic_energy(c.rate));
+    put(rows_.elastic_energy, model.elastic.stored_energy(model.pair, c));
+    put(rows_.surface_energy, model.surface_energy(c));
+    if constexpr (Reduced::state_type::names::template contains<crack_loss_t>)
+      put(rows_.crack_loss, x[crack_loss]);
+    if constexpr (Reduced::state_type::names::template contains<bulk_loss_t>)
+      put(rows_.bulk_loss, x[bulk_loss]);
+  }
+
+  [[no_unique_address]] std::conditional_t<asked.extremes, extremes_part, nothing> parts_;
+  [[no_unique_address]] std::conditional_t<asked.trajectory, trajectory_columns<std::vector<double>>, detail::nothing<9>>
+      rows_;
+};
+
+} // namespace ricochet

@@ -1,0 +1,178 @@
+#pragma once
+#include <ricochet/number/autodiff.hpp>
+#include <ricochet/solve/stepper.hpp>
+
+#include <memory>
+
+#include <Eigen/LU>
+#include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
+
+namespace ricochet::stepper {
+
+/// odeint's Rosenbrock method of order 4 (L-stable): its coefficients on matrices of fixed size, because odeint's own
+/// class is tied to uBLAS vectors, which Boost 1.74 cannot compile as C++20 (tests/solve/rosenbrock.cpp compares both).
+/// The Jacobian is taken by dual numbers. For motions in which the edge is much faster than the collision.
+struct rosenbrock4 {
+  template <class Flow>
+  class method {
+    using state_type = typename Flow::state_type;
+    using real = typename Flow::real;
+    static constexpr int size = int(state_type::names::size);
+    static_assert(std::same_as<real, typename Flow::number>, "stepper::rosenbrock4 works on plain numbers only");
+    using vector = Eigen::Matrix<real, size, 1>;
+    using matrix = Eigen::Matrix<real, size, size>;
+    using model_type = std::remove_cvref_t<decltype(std::declval<Flow>().model)>;
+    using dual_model = reduced_model<dual<real>, typename model_type::model_type>;
+    static constexpr std::size_t motion = model_type::free_edge ? 3 : 2; ///< unknowns that feed back
+
+  public:
+    method(const real& tolerance, const state_type& typical) : tolerance_(tolerance), typical_(typical) {}
+
+    attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
+      f.outside = false;
+      const auto [out, error] = step(f, x, h);
+      const real norm = error_norm(error, typical_, tolerance_, f.outside);
+      return {norm <= 1, out, h, resized(h, norm, 4)};
+    }
+
+    state_type within(Flow& f, const state_type& x, const real& h) { return step(f, x, h).first; }
+
+    void moved() { known_ = false; }
+
+    /// Rate at which the edge relaxes: |d(dy/d sigma)/dy|.
+    real rate_of_edge(Flow& f, const state_type& x) {
+      using std::abs;
+      differentiate(f, x);
+      return abs(jacobian_(0, 0));
+    }
+
+  private:
+    /// Stages g_i of (1/(gamma h) - J) g_i = f(x + sum a_ij g_j) + sum c_ij g_j/h; the last one is the error.
+    std::pair<state_type, state_type> step(Flow& f, const state_type& x, const real& h) {
+      if (!known_)
+        differentiate(f, x);
+      known_ = true;
+      static const odeint::default_rosenbrock_coefficients<real> c;
+      const Eigen::PartialPivLU<matrix> solver(matrix(matrix::Identity() / (c.gamma * h) - jacobian_));
+      const auto slope = [&f](const vector& v) {
+        state_type dx{};
+        f(unpack(v), dx, real(0));
+        return pack(dx);
+      };
+      const vector from = pack(x);
+      const vector g1 = solver.solve(pack(slope_));
+      const vector g2 = solver.solve(slope(from + c.a21 * g1) + c.c21 / h * g1);
+      const vector g3 = solver.solve(slope(from + c.a31 * g1 + c.a32 * g2) + (c.c31 * g1 + c.c32 * g2) / h);
+      const vector g4 = solver.solve(slope(from + c.a41 * g1 + c.a42 * g2 + c.a43 * g3) +
+                                     (c.c41 * g1 + c.c42 * g2 + c.c43 * g3) / h);
+      const vector near = from + c.a51 * g1 + c.a52 * g2 + c.a53 * g3 + c.a54 * g4;
+      const vector g5 = solver.solve(slope(near) + (c.c51 * g1 + c.c52 * g2 + c.c53 * g3 + c.c54 * g4) / h);
+      const vector error = solver.solve(slope(near + g5) +
+                                        (c.c61 * g1 + c.c62 * g2 + c.c63 * g3 + c.c64 * g4 + c.c65 * g5) / h);
+      return {unpack(near + g5 + error), unpack(error)};
+    }
+
+    /// The Jacobian by dual numbers; quadratures do not feed back, so only the motion's own unknowns are seeded.
+    void differentiate(Flow& f, const state_type& x) {
+      if (!dual_model_)
+        dual_model_ = std::make_shared<const dual_model>(f.model);
+      f(x, slope_, real(0));
+      jacobian_.setZero();
+      for (std::size_t j = 0; j < motion; ++j) {
+        typename dual_model::state_type seeded_x{}, slope{};
+        for (std::size_t i = 0; i < x.size(); ++i)
+          seeded_x[i] = i == j ? seeded(x[i]) : dual<real>(x[i]);
+        ++f.evaluations;
+        if (!dual_model_->derivative(seeded_x, slope, f.piece))
+          f.outside = true;
+        for (std::size_t i = 0; i < x.size(); ++i)
+          jacobian_(Eigen::Index(i), Eigen::Index(j)) = slope[i].derivative(1);
+      }
+    }
+
+    static vector pack(const state_type& x) { return Eigen::Map<const vector>(x.data()); }
+    static state_type unpack(const vector& v) {
+      state_type x{};
+      Eigen::Map<vector>(x.data()) = v;
+      return x;
+    }
+
+    real tolerance_;
+    state_type typical_, slope_{};
+    matrix jacobian_;
+    std::shared_ptr<const dual_model> dual_model_;
+    bool known_ = false;
+  };
+};
+
+/// Runge-Kutta-Fehlberg 7(8), and Rosenbrock from where the motion proves stiff on: what collide() takes by itself.
+struct automatic {
+  template <class Flow>
+  class method {
+    using state_type = typename Flow::state_type;
+    using real = typename Flow::real;
+    using smooth_method = fehlberg78::method<Flow>;
+    using reduced_type = std::remove_cvref_t<decltype(std::declval<Flow>().model)>;
+    static constexpr bool can_be_stiff = reduced_type::free_edge && std::same_as<real, typename Flow::number> &&
+                                         std::numeric_limits<real>::digits <= 64;
+    struct none {
+      none(const real&, const state_type&) {}
+    };
+    using stiff_method = typename std::conditional_t<can_be_stiff, std::type_identity<rosenbrock4::method<Flow>>,
+                                                     std::type_identity<none>>::type;
+
+  public:
+    method(const real& tolerance, const state_type& typical)
+        : smooth_(tolerance, typical), stiff_(tolerance, typical), worthwhile_(inverse_fourth_root(tolerance)) {}
+
+    attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
+      if constexpr (can_be_stiff) {
+        if (is_stiff_)
+          return stiff_.try_step(f, x, h);
+        const auto result = smooth_.try_step(f, x, h);
+        if (result.accepted && ++steps_ % 10 == 0)
+          watch(f, x, h);
+        return result;
+      } else {
+        return smooth_.try_step(f, x, h);
+      }
+    }
+
+    state_type within(Flow& f, const state_type& x, const real& h) {
+      if constexpr (can_be_stiff)
+        if (is_stiff_)
+          return stiff_.within(f, x, h);
+      return smooth_.within(f, x, h);
+    }
+
+    void moved() {
+      smooth_.moved();
+      if constexpr (can_be_stiff)
+        stiff_.moved();
+      if (hits_ >= 3)
+        is_stiff_ = true;
+    }
+
+  private:
+    static real inverse_fourth_root(const real& x) {
+      using std::sqrt;
+      return 1 / sqrt(sqrt(x));
+    }
+
+    /// Counts how often in a row the step was near the explicit method's limit of stability while that is so short that
+    /// the implicit method pays.
+    void watch(Flow& f, const state_type& x, const real& h) {
+      const real rate = stiff_.rate_of_edge(f, x);
+      hits_ = h * rate > 2 && rate > worthwhile_ ? hits_ + 1 : 0;
+    }
+
+    smooth_method smooth_;
+    [[no_unique_address]] stiff_method stiff_;
+    real worthwhile_;
+    long steps_ = 0;
+    int hits_ = 0;
+    bool is_stiff_ = false;
+  };
+};
+
+} // namespace ricochet::stepper

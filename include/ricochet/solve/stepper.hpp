@@ -1,0 +1,109 @@
+// How one step is made with each kind of odeint stepper, and how its size is chosen. Tested with ricochet:
+// stepper::runge_kutta4, cash_karp54, dopri5, fehlberg78, bulirsch_stoer, bulirsch_stoer_dense_out (steppers.hpp) and
+// rosenbrock4 (rosenbrock.hpp); stepper::automatic is what collide() takes by itself.
+#pragma once
+#include <ricochet/solve/flow.hpp>
+
+#include <algorithm>
+#include <functional>
+
+#include <boost/numeric/odeint/algebra/default_operations.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <boost/numeric/odeint/stepper/stepper_categories.hpp>
+
+namespace ricochet {
+
+/// Outcome of one attempt to step: the new state, or the step to try instead.
+template <class State, class Real>
+struct attempt {
+  bool accepted;
+  State x;
+  Real taken; ///< size of the step tried
+  Real next;  ///< size of the next step, or of the next try
+};
+
+namespace stepper {
+namespace odeint = boost::numeric::odeint;
+
+/// Largest error of a component over its typical size and the tolerance; infinite outside the domain.
+template <class State, class Real>
+Real error_norm(const State& error, const State& typical, const Real& tolerance, bool outside) {
+  using std::abs;
+  using std::isfinite;
+  Real largest = 0;
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    const Real relative = abs(value_of(error[i])) / (value_of(typical[i]) * tolerance);
+    if (!isfinite(relative))
+      return std::numeric_limits<Real>::infinity();
+    largest = std::max(largest, relative);
+  }
+  return outside ? std::numeric_limits<Real>::infinity() : largest;
+}
+
+/// Step size from the error of the last one, for a method whose local error goes as h^order.
+template <class Real>
+Real resized(const Real& h, const Real& error, int order) {
+  using std::isfinite;
+  using std::pow;
+  if (!isfinite(error))
+    return h / 4;
+  if (error <= Real(0))
+    return h * 8;
+  return h * std::clamp<Real>(Real(0.9) * pow(error, Real(-1) / order), Real(0.1), Real(8));
+}
+
+/// Any explicit odeint stepper with an error estimate: template arguments as runge_kutta_dopri5.
+template <template <class...> class Odeint>
+struct embedded {
+  template <class Flow>
+  class method {
+    using state_type = typename Flow::state_type;
+    using real = typename Flow::real;
+    using stepper_type = Odeint<state_type, real, state_type, real, odeint::array_algebra, odeint::default_operations,
+                                odeint::never_resizer>;
+    static constexpr bool first_same_as_last =
+        std::is_base_of_v<odeint::explicit_error_stepper_fsal_tag, typename stepper_type::stepper_category>;
+
+  public:
+    method(const real& tolerance, const state_type& typical) : tolerance_(tolerance), typical_(typical) {}
+
+    attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
+      if (!known_)
+        f(x, slope_, real(0));
+      known_ = true;
+      f.outside = false;
+      state_type out{}, error{};
+      if constexpr (first_same_as_last)
+        stepper_.do_step(std::ref(f), x, slope_, real(0), out, last_slope_, h, error);
+      else
+        stepper_.do_step(std::ref(f), x, slope_, real(0), out, h, error);
+      const real norm = error_norm(error, typical_, tolerance_, f.outside);
+      return {norm <= 1, out, h, resized(h, norm, stepper_type::error_order_value + 1)};
+    }
+
+    /// The state after a part h of the step tried last.
+    state_type within(Flow& f, const state_type& x, const real& h) {
+      state_type out{};
+      if constexpr (first_same_as_last)
+        stepper_.do_step(std::ref(f), x, slope_, real(0), out, last_slope_, h);
+      else
+        stepper_.do_step(std::ref(f), x, slope_, real(0), out, h);
+      return out;
+    }
+
+    /// To be called whenever the state has moved.
+    void moved() { known_ = false; }
+
+  private:
+    stepper_type stepper_;
+    real tolerance_;
+    state_type typical_, slope_{}, last_slope_{};
+    bool known_ = false;
+  };
+};
+
+/// odeint's Runge-Kutta-Fehlberg 7(8): what ricochet takes where the motion is smooth.
+using fehlberg78 = embedded<odeint::runge_kutta_fehlberg78>;
+
+} // namespace stepper
+} // namespace ricochet

@@ -1,0 +1,133 @@
+// More of odeint's steppers for collide(); stepper.hpp says what a method is.
+#pragma once
+#include <ricochet/solve/stepper.hpp>
+
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer_dense_out.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+
+namespace ricochet::stepper {
+
+using cash_karp54 = embedded<odeint::runge_kutta_cash_karp54>;
+using dopri5 = embedded<odeint::runge_kutta_dopri5>;
+
+/// Any explicit odeint stepper without an error estimate; the error is that of one step against two halves.
+template <template <class...> class Odeint>
+struct doubled {
+  template <class Flow>
+  class method {
+    using state_type = typename Flow::state_type;
+    using real = typename Flow::real;
+    using stepper_type = Odeint<state_type, real, state_type, real, odeint::array_algebra, odeint::default_operations,
+                                odeint::never_resizer>;
+
+  public:
+    method(const real& tolerance, const state_type& typical) : tolerance_(tolerance), typical_(typical) {}
+
+    attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
+      f.outside = false;
+      state_type whole{};
+      stepper_.do_step(std::ref(f), x, real(0), whole, h);
+      const state_type out = within(f, x, h);
+      state_type error{};
+      for (std::size_t i = 0; i < out.size(); ++i)
+        error[i] = (out[i] - whole[i]) / real((1 << stepper_.order()) - 1);
+      const real norm = error_norm(error, typical_, tolerance_, f.outside);
+      return {norm <= 1, out, h, resized(h, norm, int(stepper_.order()) + 1)};
+    }
+
+    state_type within(Flow& f, const state_type& x, const real& h) {
+      state_type half{}, out{};
+      stepper_.do_step(std::ref(f), x, real(0), half, real(h / 2));
+      stepper_.do_step(std::ref(f), half, real(0), out, real(h / 2));
+      return out;
+    }
+
+    void moved() {}
+
+  private:
+    stepper_type stepper_;
+    real tolerance_;
+    state_type typical_;
+  };
+};
+using runge_kutta4 = doubled<odeint::runge_kutta4>;
+
+/// odeint's Bulirsch-Stoer extrapolation, which controls its own step.
+struct bulirsch_stoer {
+  template <class Flow>
+  class method {
+    using state_type = typename Flow::state_type;
+    using real = typename Flow::real;
+    using stepper_type = odeint::bulirsch_stoer<state_type, real, state_type, real, odeint::array_algebra>;
+
+  public:
+    method(const real& tolerance, const state_type&) : stepper_(tolerance, real(0), real(0), real(0)) {}
+
+    attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
+      f.outside = false;
+      real t = 0, next = h;
+      state_type out{};
+      const bool done = stepper_.try_step(std::ref(f), x, t, out, next) == odeint::success;
+      if (f.outside)
+        return {false, x, h, h / 4};
+      return {done, out, h, done ? std::min<real>(next, 8 * h) : std::min<real>(next, h / 2)};
+    }
+
+    state_type within(Flow& f, const state_type& x, const real& h) {
+      stepper_type fresh = stepper_;
+      state_type from = x, out{};
+      real t = 0, next = h;
+      while (t < h) {
+        next = std::min<real>(next, h - t);
+        if (fresh.try_step(std::ref(f), from, t, out, next) == odeint::success)
+          from = out;
+      }
+      return from;
+    }
+
+    void moved() {}
+
+  private:
+    stepper_type stepper_;
+  };
+};
+
+/// The same with its own dense output, in which events are located.
+struct bulirsch_stoer_dense_out {
+  template <class Flow>
+  class method {
+    using state_type = typename Flow::state_type;
+    using real = typename Flow::real;
+    using stepper_type = odeint::bulirsch_stoer_dense_out<state_type, real, state_type, real, odeint::array_algebra>;
+
+  public:
+    method(const real& tolerance, const state_type&)
+        : stepper_(tolerance, real(0), real(0), real(0), true) {}
+
+    attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
+      f.outside = false;
+      stepper_.initialize(x, real(0), h);
+      const auto [begin, end] = stepper_.do_step(std::ref(f));
+      const real taken = end - begin;
+      if (f.outside)
+        return {false, x, taken, taken / 4};
+      return {true, stepper_.current_state(), taken, stepper_.current_time_step()};
+    }
+
+    state_type within(Flow&, const state_type&, const real& h) {
+      state_type out{};
+      stepper_.calc_state(h, out);
+      return out;
+    }
+
+    void moved() {}
+
+  private:
+    stepper_type stepper_;
+  };
+};
+
+} // namespace ricochet::stepper
