@@ -3,6 +3,7 @@
 #include <ricochet/number.hpp>
 
 #include <boost/units/cmath.hpp>
+#include <boost/units/get_dimension.hpp>
 #include <boost/units/pow.hpp>
 #include <boost/units/quantity.hpp>
 #include <boost/units/systems/si/dimensionless.hpp>
@@ -98,6 +99,40 @@ constexpr double in_si(const boost::units::quantity<Unit>& q) {
 }
 constexpr double in_si(double x) { return x; }
 
+/// Exponents of length, mass and time in a quantity's dimension.
+struct exponents {
+  double length = 0, mass = 0, time = 0;
+};
+
+namespace detail {
+template <class Dimension>
+constexpr exponents exponents_of_dimension() {
+  if constexpr (std::same_as<Dimension, boost::units::dimensionless_type>) {
+    return {};
+  } else {
+    exponents e = exponents_of_dimension<typename Dimension::next>();
+    using base = typename Dimension::item::tag_type;
+    using power = typename Dimension::item::value_type;
+    const double p = static_cast<double>(power::Numerator) / static_cast<double>(power::Denominator);
+    if constexpr (std::same_as<base, boost::units::length_base_dimension>)
+      e.length = p;
+    else if constexpr (std::same_as<base, boost::units::mass_base_dimension>)
+      e.mass = p;
+    else if constexpr (std::same_as<base, boost::units::time_base_dimension>)
+      e.time = p;
+    else
+      static_assert(std::same_as<base, void>, "ricochet's quantities are made of length, mass and time only");
+    return e;
+  }
+}
+} // namespace detail
+
+template <class Unit>
+constexpr exponents exponents_of(const boost::units::quantity<Unit>&) {
+  return detail::exponents_of_dimension<typename boost::units::get_dimension<Unit>::type>();
+}
+constexpr exponents exponents_of(double) { return {}; }
+
 constexpr const char* unit_symbol(double) { return ""; }
 constexpr const char* unit_symbol(length) { return "m"; }
 constexpr const char* unit_symbol(duration) { return "s"; }
@@ -109,5 +144,10 @@ constexpr const char* unit_symbol(force) { return "N"; }
 constexpr const char* unit_symbol(energy) { return "J"; }
 constexpr const char* unit_symbol(energy_per_area) { return "J/m^2"; }
 constexpr const char* unit_symbol(inverse_speed) { return "s/m"; }
+constexpr const char* unit_symbol(damping) { return "N s/m"; }
+template <class Unit>
+constexpr const char* unit_symbol(const boost::units::quantity<Unit>&) {
+  return "(SI)";
+}
 
 } // namespace ricochet

@@ -11,16 +11,12 @@ struct scales {
   double mass = 1;
 
   /// SI value of one reduced unit of the quantity's dimension.
-  constexpr double factor(ricochet::length) const { return length; }
-  constexpr double factor(ricochet::duration) const { return duration; }
-  constexpr double factor(ricochet::mass) const { return mass; }
-  constexpr double factor(ricochet::speed) const { return length / duration; }
-  constexpr double factor(ricochet::inverse_speed) const { return duration / length; }
-  constexpr double factor(ricochet::force) const { return mass * length / square(duration); }
-  constexpr double factor(ricochet::energy) const { return mass * square(length / duration); }
-  constexpr double factor(ricochet::modulus) const { return mass / (length * square(duration)); }
-  constexpr double factor(ricochet::energy_per_area) const { return mass / square(duration); }
-  constexpr double factor(double) const { return 1; }
+  template <class Quantity>
+  double factor(const Quantity& quantity) const {
+    const exponents e = exponents_of(quantity);
+    const auto power = [](double x, double p) { return p == 0 ? 1. : p == 1 ? x : p == 2 ? x * x : std::pow(x, p); };
+    return power(length, e.length) * power(mass, e.mass) * power(duration, e.time);
+  }
 };
 
 /// Scales of an impact at speed v under work of adhesion w (zero where there is none): the larger of v and the speed

@@ -211,6 +211,9 @@ public:
     return x;
   }
 
+  /// Slowed time in which the coordinate changes by its own size: the measure of steps.
+  real_of<T> typical_time() const { return free_edge ? real_of<T>(1) : real_of<T>(value_of(typical()[coordinate])); }
+
 private:
   template <class Source, class Convert>
   reduced_model(const Source& source, const Convert& convert)

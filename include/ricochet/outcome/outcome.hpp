@@ -86,9 +86,10 @@ struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
   std::string reason;      ///< of an ending that is unresolved or failed
 };
 
-template <requests Asked>
-using outcome = basic_outcome<double, length, duration, force, Asked>;
-template <class T, requests Asked>
-using reduced_outcome = basic_outcome<T, T, T, T, Asked>;
+/// The outcome that a contact model gives, in SI units; and on the numbers T of its reduced form.
+template <class Model>
+using outcome_of = basic_outcome<double, length, duration, force, Model::asked>;
+template <class T, class Model>
+using reduced_outcome_of = basic_outcome<T, T, T, T, Model::asked>;
 
 } // namespace ricochet

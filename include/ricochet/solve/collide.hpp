@@ -1,4 +1,5 @@
 #pragma once
+#include <ricochet/closed_form/closed_outcome.hpp>
 #include <ricochet/solve/collision.hpp>
 
 namespace ricochet {
@@ -12,7 +13,7 @@ struct impact {
 /// max_evaluations: of the equations of motion, for each solution of the collision; spent, the ending is `unresolved`.
 struct collide_options {
   double tolerance = 1e-8;
-  long max_evaluations = 1'000'000;
+  long max_evaluations = 10'000'000;
 };
 
 inline constexpr range tolerance_range{.low = 1e-12, .high = 1e-1, .high_included = true};
@@ -30,8 +31,8 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
   using std::min;
   using std::sqrt;
   const real wanted = real(options.tolerance), finest = 4 * std::numeric_limits<real>::epsilon();
-  const real refinement = 16, v = value_of(speed), kinetic = v * v * value_of(model.pair.reduced_mass) / 2;
-  real tolerance = min<real>(wanted, real(1e-3)) * min<real>(v, real(1)) / 10;
+  const real refinement = 8, v = value_of(speed), kinetic = v * v * value_of(model.pair.reduced_mass) / 2;
+  real tolerance = min<real>(wanted, real(1e-7)) * min<real>(v, real(1));
   long evaluations = 0, rejected = 0;
   for (int round = 0;; ++round) {
     tolerance = max(tolerance, finest);
@@ -39,22 +40,29 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
         fine(model, tolerance / refinement, options.max_evaluations);
     const auto rough = coarse.solve(speed);
     auto out = fine.solve(speed);
-    evaluations += rough.evaluations + out.evaluations;
-    rejected += rough.rejected_steps + out.rejected_steps;
-    out.evaluations = evaluations;
-    out.rejected_steps = rejected;
-    if (out.ending == ending::failed || out.ending == ending::unresolved || rough.ending == ending::failed ||
-        rough.ending == ending::unresolved) {
+    out.evaluations = evaluations += rough.evaluations + out.evaluations;
+    out.rejected_steps = rejected += rough.rejected_steps + out.rejected_steps;
+    const bool last_round = tolerance <= finest || round == 6;
+    const auto ended = [](ending e) { return e == ending::separated || e == ending::captured; };
+    if (!ended(out.ending) || !ended(rough.ending)) {
       out.error_estimate = 1;
       out.ending_is_certain = false;
-      return out;
+      if (last_round || out.ending == ending::unresolved)
+        return out;
+      tolerance *= real(1e-2);
+      continue;
     }
-    // Error of the energy left, in units of the initial one; e = sqrt(energy left).
-    const real energy_error = abs(value_of(fine.remaining_energy()) - value_of(coarse.remaining_energy())) / kinetic +
+    // Error of the energy left, in units of the initial one; e = sqrt(energy left). The energy at the turning point is
+    // compared too, lest errors of the two legs that happen to cancel pass for accuracy.
+    const real energy_error = max<real>(abs(value_of(fine.remaining_energy() - coarse.remaining_energy())),
+                                        abs(value_of(fine.energy_at_turning() - coarse.energy_at_turning()))) /
+                                  kinetic +
                               32 * std::numeric_limits<real>::epsilon() * fine.largest_energy() / kinetic;
     const real margin = abs(value_of(fine.remaining_energy()) - value_of(model.exit_energy())) / kinetic;
     real error = 0;
     if (out.restitution) {
+      if (value_of(*out.restitution) > real(1)) // losses never are negative: what exceeds one is error
+        *out.restitution -= T(value_of(*out.restitution) - real(1));
       const real e = value_of(*out.restitution);
       error = min<real>(energy_error / max<real>(e, std::numeric_limits<real>::min()), sqrt(energy_error));
     } else if (margin < energy_error) {
@@ -62,15 +70,15 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     }
     out.ending_is_certain = rough.ending == out.ending && (out.restitution.has_value() || margin > energy_error);
     out.error_estimate = static_cast<double>(error);
-    if ((error <= wanted && out.ending_is_certain) || tolerance <= finest || round == 6)
+    if ((error <= wanted && out.ending_is_certain) || last_round)
       return out;
     tolerance *= max<real>(real(1e-4), min<real>(real(0.3), wanted / (2 * error)));
   }
 }
 
-template <requests Asked>
-outcome<Asked> in_si_units(const reduced_outcome<double, Asked>& numbers, const scales& unit) {
-  outcome<Asked> out;
+template <class Model>
+outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, const scales& unit) {
+  outcome_of<Model> out;
   out.ending = numbers.ending;
   out.restitution = numbers.restitution;
   out.ending_is_certain = numbers.ending_is_certain;
@@ -79,18 +87,18 @@ outcome<Asked> in_si_units(const reduced_outcome<double, Asked>& numbers, const 
   out.evaluations = numbers.evaluations;
   out.rejected_steps = numbers.rejected_steps;
   out.reason = numbers.reason;
-  if constexpr (Asked.ledger)
+  if constexpr (Model::asked.ledger)
     static_cast<ledger_result<double>&>(out) = numbers;
-  if constexpr (Asked.duration)
+  if constexpr (Model::asked.duration)
     out.contact_duration = numbers.contact_duration * unit.duration * units::seconds;
-  if constexpr (Asked.extremes) {
+  if constexpr (Model::asked.extremes) {
     const double newton = unit.factor(force{});
     out.max_approach = numbers.max_approach * unit.length * units::metres;
     out.max_contact_radius = numbers.max_contact_radius * unit.length * units::metres;
     out.max_tension = numbers.max_tension * newton * units::newtons;
     out.max_compression = numbers.max_compression * newton * units::newtons;
   }
-  if constexpr (Asked.trajectory) {
+  if constexpr (Model::asked.trajectory) {
     out.trajectory = numbers.trajectory;
     const auto scale = [](std::vector<double>& column, double factor) {
       for (double& x : column)
@@ -124,8 +132,27 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
       return integrate(model.with_static_edge(), impact, options, Stepper{});
   const scales unit = model.scales_at(impact.speed);
   const reduced_model<double, Model> numbers(model, unit);
-  return detail::in_si_units<Model::asked>(
+  return detail::in_si_units<Model>(
       detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit), options), unit);
+}
+
+/// What comes of this impact: from the closed form where one gives all that is asked for, else by integrate().
+/// \throws bad_input as integrate().
+template <class Model>
+auto collide(const Model& model, const impact& impact, const collide_options& options = {}) {
+  if constexpr (closed_form::solved<Model>) {
+    require("speed", impact.speed, positive);
+    require("tolerance", options.tolerance, tolerance_range);
+    return closed_form::solve(model, impact.speed);
+  } else {
+    return integrate(model, impact, options);
+  }
+}
+
+/// The same with a stepper of the caller's choice; always by integration.
+template <class Model, class Stepper>
+auto collide(const Model& model, const impact& impact, const collide_options& options, Stepper stepper) {
+  return integrate(model, impact, options, stepper);
 }
 
 } // namespace ricochet

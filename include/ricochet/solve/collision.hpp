@@ -16,10 +16,11 @@ class collision {
   static constexpr requests asked = Reduced::model_type::asked;
 
 public:
-  using outcome_type = reduced_outcome<T, asked>;
+  using outcome_type = reduced_outcome_of<T, typename Reduced::model_type>;
 
   collision(const Reduced& model, const real& tolerance, long budget)
-      : model_(model), flow_{model}, events_(model), tolerance_(tolerance), budget_(budget), typical_(model.typical()) {}
+      : model_(model), flow_{model}, events_(model), tolerance_(tolerance), budget_(budget), typical_(model.typical()),
+        longest_step_(model.typical_time() * longest_relative_step(tolerance)) {}
 
   outcome_type solve(const T& speed) {
     initial_energy_ = model_.kinetic_energy(speed);
@@ -44,6 +45,8 @@ public:
 
   /// Kinetic + elastic + surface energy at the ending.
   const T& remaining_energy() const { return remaining_; }
+  /// Potential energy at the first turning point.
+  const T& energy_at_turning() const { return energy_at_turning_; }
   /// Largest energy met, kinetic or potential.
   const real& largest_energy() const { return largest_energy_; }
 
@@ -67,10 +70,10 @@ private:
     std::array<bool, event_count> armed{};
     arm(armed, x);
     armed[std::size_t(event::letting_go)] = Reduced::adhesive; // without adhesion the overlap starts at zero
-    real h = real(0.01);
-    kink_.emplace(sqrt(tolerance_) / 4);
+    real h = longest_step_ / 32;
+    kink_.emplace(sqrt(tolerance_) / 16);
     for (;;) {
-      h = kink_->graded(h, time_to_kink(x));
+      h = kink_->graded(std::min<real>(h, longest_step_), time_to_kink(x));
       if (flow_.evaluations > budget_) {
         out_.ending = ending::unresolved;
         out_.reason = "the budget of evaluations was spent";
@@ -127,7 +130,8 @@ private:
         return true;
       case event::turning:
         approaching_ = !approaching_;
-        has_turned_ = true;
+        if (!std::exchange(has_turned_, true))
+          energy_at_turning_ = model_.potential(model_.at(x, flow_.piece).c);
         watch_.turned(model_, x, flow_.piece);
         certify(x);
         break;
@@ -148,8 +152,8 @@ private:
     int crossings = 0;
 
     real graded(const real& h, const real& ahead) const {
-      const real towards = ahead > closest ? ahead * real(0.4) : 2 * closest;
-      return std::min<real>({h, towards, std::max<real>(3 * since, closest)});
+      const real towards = ahead > closest ? ahead * real(0.25) : 2 * closest;
+      return std::min<real>({h, towards, std::max<real>(real(0.7) * since, closest)});
     }
 
     /// An edge crossing again and again relaxes faster than these steps resolve: come closer.
@@ -178,25 +182,27 @@ private:
     bool valid;
   };
 
-  /// The earliest armed event within the step, located in units of the step.
+  /// The earliest armed event within the step. Each event is looked for only up to the earliest found so far, where its
+  /// value is taken anew: past the end of a contact, the values of other events mean nothing.
   found_event first_event(method_type& method, const std::array<bool, event_count>& armed, const state_type& x,
                           const attempt<state_type, real>& tried) {
     found_event first{std::nullopt, tried.taken, true};
-    for (std::size_t i = 0; i < event_count; ++i) {
-      const event which{int(i)};
-      const real at_end = value_of(events_.value(which, tried.x, flow_.piece, approaching_));
-      if (!armed[i] || at_end > real(0))
+    state_type last = tried.x;
+    for (const event which : {event::letting_go, event::zero_force, event::turning, event::leaving_below,
+                              event::leaving_above}) {
+      const auto value = [&](const state_type& at) -> real {
+        return value_of(events_.value(which, at, flow_.piece, approaching_));
+      };
+      const real at_end = value(last);
+      if (!armed[std::size_t(which)] || at_end > real(0))
         continue;
-      const real at_start = value_of(events_.value(which, x, flow_.piece, approaching_));
+      const real at_start = value(x);
       if (!(at_start > real(0)))
-        return {which, tried.taken, false};
-      const real part = locate_event(
-          [&](const real& h) -> real {
-            return value_of(events_.value(which, method.within(flow_, x, h), flow_.piece, approaching_));
-          },
-          tried.taken, at_start, at_end);
-      if (part <= first.part)
-        first = {which, std::min<real>(part, tried.taken * (1 - std::numeric_limits<real>::epsilon())), true};
+        return {which, first.part, false};
+      const real part = locate_event([&](const real& h) { return value(method.within(flow_, x, h)); }, first.part,
+                                     at_start, at_end);
+      first = {which, std::min<real>(part, tried.taken * (1 - std::numeric_limits<real>::epsilon())), true};
+      last = method.within(flow_, x, first.part);
     }
     return first;
   }
@@ -302,7 +308,13 @@ private:
     largest_energy_ = std::max<real>(largest_energy_, abs(value_of(potential)));
   }
 
-  real smallest_step() const { return 64 * std::numeric_limits<real>::epsilon() * real(1e-3); }
+  /// Beyond it no error estimate is to be believed. It shrinks with the tolerance, so that two solutions at different
+  /// tolerances never share the errors of their longest steps.
+  static real longest_relative_step(const real& tolerance) {
+    using std::sqrt;
+    return std::min<real>(real(0.4), sqrt(sqrt(sqrt(tolerance))));
+  }
+  real smallest_step() const { return std::numeric_limits<real>::epsilon() * longest_step_ / 4; }
   static real abs_value(const T& x) { return value_of(x) < real(0) ? real(-value_of(x)) : real(value_of(x)); }
 
   /// Fills in what the model asks for; energies in units of the initial kinetic energy.
@@ -335,10 +347,11 @@ private:
   real tolerance_;
   long budget_;
   state_type typical_;
+  real longest_step_;
   std::optional<kink> kink_;
   outcome_type out_;
   bool approaching_ = true, has_turned_ = false, captured_ = false;
-  T initial_energy_ = T(0), remaining_ = T(0), jumps_at_edge_ = T(0), relaxed_in_bulk_ = T(0);
+  T initial_energy_ = T(0), energy_at_turning_ = T(0), remaining_ = T(0), jumps_at_edge_ = T(0), relaxed_in_bulk_ = T(0);
   real largest_energy_ = 0;
 };
 

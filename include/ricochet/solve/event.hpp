@@ -43,6 +43,8 @@ public:
     case event::zero_force:
       if constexpr (may_lose_force) { // divided by the damping coefficient, it is smooth down to zero overlap
         const auto now = model_.at(x, piece);
+        if (!(value_of(x[Reduced::coordinate]) > real(0)))
+          return now.c.rate;
         return model_.elastic.force(model_.pair, now.c) / model_.damping.coefficient(model_.pair, now.c) + now.c.rate;
       }
       break;

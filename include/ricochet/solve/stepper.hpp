@@ -48,8 +48,8 @@ Real resized(const Real& h, const Real& error, int order) {
   if (!isfinite(error))
     return h / 4;
   if (error <= Real(0))
-    return h * 8;
-  return h * std::clamp<Real>(Real(0.9) * pow(error, Real(-1) / order), Real(0.1), Real(8));
+    return h * 5;
+  return h * std::clamp<Real>(Real(0.9) * pow(error, Real(-1) / order), Real(0.1), Real(5));
 }
 
 /// Any explicit odeint stepper with an error estimate: template arguments as runge_kutta_dopri5.

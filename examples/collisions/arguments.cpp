@@ -1,0 +1,132 @@
+#include "arguments.hpp"
+#include "output_table.hpp"
+#include "scene_reader.hpp"
+
+#include <ricochet/solve/collide.hpp>
+#include <ricochet/version.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace collisions {
+
+namespace {
+
+constexpr const char* description =
+    "Reads a table of head-on collisions of small spheres (CSV) and writes the same table with their outcomes.";
+
+std::string help_on_columns() {
+  std::string text = R"(
+INPUT
+  The first line names the columns, in any order; each further line is a collision. Numbers are in SI units, with a
+  decimal point. Cells are separated by commas. Lines before the header that begin with # are comments.
+
+  column                     unit    needed by
+  model                              every collision: law names joined by +, in any order
+  radius_1                   m       every collision
+  radius_2                   m       every collision; inf is a flat wall
+  density_1                  kg/m^3  every collision
+  density_2                  kg/m^3  every collision, but not of a wall
+  youngs_modulus_1           Pa      every collision
+  youngs_modulus_2           Pa      every collision
+  poissons_ratio_1           1       every collision, from 0 to less than 0.5
+  poissons_ratio_2           1       every collision, from 0 to less than 0.5
+  speed                      m/s     every collision: of approach, at first touch
+  work_of_adhesion           J/m^2   jkr: of the pair, twice the surface free energy for like bodies
+  relaxation_time            s       greenwood, greenwood_fit
+  modulus_ratio              1       greenwood: relaxed over instantaneous, 0.0001 to 0.98 (greenwood_fit: 0.02 or blank)
+  interaction_range          m       greenwood, greenwood_fit
+  bulk_time                  s       kuwabara_kono
+  hunt_crossley_coefficient  s/m     hunt_crossley
+  tsuji_coefficient          1       tsuji
+
+  What a row's model does not need may be blank, or its column missing. Other columns are copied.
+
+LAWS for the column model
+  hertz                      elastic spheres; always needed
+  jkr                        adhesion
+  greenwood, greenwood_fit   finite speed of the adhesive edge, with jkr: exact, or as published; one of them
+  kuwabara_kono, hunt_crossley, tsuji
+                             damping in the bulk; one of them
+  end_at_zero_force, end_at_zero_overlap
+                             where a contact without jkr ends; at zero force if none is named
+
+OUTPUT
+  All columns of the input, then these. A column of the input that has one of these names is called input_... there.
+
+  column                     unit    meaning
+)";
+  text += output_help();
+  text += R"(
+  A row that cannot be computed is marked failed, with the reason on standard error, and the others go on.
+  Exit status: 0 all rows computed, 1 some failed or unresolved, 2 wrong use or unreadable file.
+
+EXAMPLE
+  a file ice.csv: two ice spheres of radius 2 um at 8 m/s, and an ice sphere against a steel wall
+
+    model,radius_1,radius_2,density_1,density_2,youngs_modulus_1,youngs_modulus_2,poissons_ratio_1,poissons_ratio_2,work_of_adhesion,bulk_time,speed
+    hertz+jkr,2e-6,2e-6,1000,1000,7e9,7e9,0.25,0.25,0.74,,8
+    hertz+kuwabara_kono,2e-6,inf,1000,,7e9,190e9,0.25,0.28,,1.6e-10,8
+
+  collisions ice.csv -o outcomes.csv
+)";
+  return text;
+}
+
+/// An argument as a shell would need it, on one line.
+std::string as_typed(const std::string& argument) {
+  const bool plain = !argument.empty() && argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                                     "0123456789_-+=./:,@%") == std::string::npos;
+  std::string out;
+  for (const char c : argument)
+    out += c == '\'' ? "'\\''" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+  return plain ? out : '\'' + out + '\'';
+}
+
+} // namespace
+
+std::optional<arguments> read_arguments(int argc, const char* const* argv, int& status) {
+  arguments given;
+  std::string stepper(steppers[0].name);
+  std::vector<std::string> names;
+  for (const stepper_choice& choice : steppers)
+    names.emplace_back(choice.name);
+
+  CLI::App app(description, "collisions");
+  app.add_option("input", given.input, "file to read; standard input if none is given")->type_name("FILE");
+  app.add_option("-o,--output", given.output, "file to write, in place only when it is whole; else standard output")
+      ->type_name("FILE");
+  app.add_option("--tolerance", given.tolerance, "largest error wanted in the restitution, 1e-12 to 1e-1")
+      ->capture_default_str()
+      ->type_name("NUMBER");
+  app.add_option("--stepper", stepper, "how to integrate: automatic, dopri5 or bulirsch_stoer")
+      ->capture_default_str()
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names));
+  app.set_version_flag("--version", std::string("collisions of ricochet ") + ricochet::version);
+  app.footer(help_on_columns());
+  try {
+    app.parse(argc, argv);
+    ricochet::require("--tolerance", given.tolerance, ricochet::tolerance_range);
+    if (app.count("--output") != 0 && given.output.empty())
+      throw ricochet::bad_input("--output: the name of the file is empty");
+    if (app.count("input") != 0 && given.input.empty())
+      throw ricochet::bad_input("the name of the input file is empty");
+  } catch (const CLI::ParseError& ended) {
+    status = app.exit(ended) == 0 ? 0 : 2;
+    return {};
+  } catch (const ricochet::bad_input& refused) {
+    std::fprintf(stderr, "collisions: %s\n", refused.what());
+    status = 2;
+    return {};
+  }
+  for (const stepper_choice& choice : steppers)
+    if (choice.name == stepper)
+      given.stepper = choice;
+  given.command = "collisions";
+  for (int i = 1; i < argc; ++i)
+    given.command += ' ' + as_typed(argv[i]);
+  return given;
+}
+
+} // namespace collisions

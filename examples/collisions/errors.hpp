@@ -1,0 +1,29 @@
+// What can be wrong with a file, and with one of its rows.
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace collisions {
+
+/// Nothing can be done with this file; what() is a sentence for standard error.
+struct file_error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// This row is bad, the others go on. `place` is empty, or says where in the row: `column radius_1, value "-1"`.
+struct row_error : std::runtime_error {
+  std::string place;
+  row_error(std::string where, const std::string& reason) : std::runtime_error(reason), place(std::move(where)) {}
+};
+
+/// Text for a message: in double quotes, on one line and not too long.
+inline std::string quoted(const std::string& text) {
+  constexpr std::size_t longest = 60;
+  std::string out = "\"";
+  for (const char c : text.substr(0, longest))
+    out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  return out + (text.size() > longest ? "...\"" : "\"");
+}
+
+} // namespace collisions

@@ -1,0 +1,116 @@
+#include "output_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace collisions {
+
+namespace {
+
+using ricochet::ending;
+
+std::string text(double x) { return fmt::format("{:.17g}", x); }
+std::string text(long x) { return fmt::format("{}", x); }
+
+std::string restitution(const outcome& out) {
+  if (out.ending == ending::captured)
+    return "0";
+  return out.ending == ending::separated && out.restitution ? text(*out.restitution) : "";
+}
+
+struct output_column {
+  const char* name;
+  const char* unit;
+  const char* meaning;
+  std::string (*text)(const outcome&);
+};
+
+constexpr std::array<output_column, 12> columns{{
+    {"ending", "text", "separated | captured | unresolved | failed",
+     [](const outcome& out) -> std::string { return ricochet::name_of(out.ending); }},
+    {"restitution", "1", "speed of separation over speed of impact; 0 when captured", restitution},
+    {"contacts", "1", "how often the bodies touched", [](const outcome& out) { return text(long(out.contacts)); }},
+    {"contact_duration", "s", "first touch to final loss of contact (so far, when captured)",
+     [](const outcome& out) { return text(ricochet::in_si(out.contact_duration)); }},
+    {"max_approach", "m", "largest mutual approach", [](const outcome& out) { return text(ricochet::in_si(out.max_approach)); }},
+    {"max_contact_radius", "m", "largest contact radius",
+     [](const outcome& out) { return text(ricochet::in_si(out.max_contact_radius)); }},
+    {"max_tension", "N", "largest total tension", [](const outcome& out) { return text(ricochet::in_si(out.max_tension)); }},
+    {"crack_loss", "1", "lost at the contact's edge, fraction of the initial kinetic energy, jumps included",
+     [](const outcome& out) { return text(out.crack_loss); }},
+    {"bulk_loss", "1", "lost in the bulk, likewise", [](const outcome& out) { return text(out.bulk_loss); }},
+    {"ledger_residual", "1", "what the energy balance leaves unexplained, over the largest energy met",
+     [](const outcome& out) { return text(out.ledger_residual); }},
+    {"error_estimate", "1", "bound of the error of the restitution",
+     [](const outcome& out) { return text(out.error_estimate); }},
+    {"evaluations", "1", "evaluations of the equations of motion", [](const outcome& out) { return text(out.evaluations); }},
+}};
+
+/// The cell as CSV: in quotes where it must be.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos && !text.starts_with('#'))
+    return text;
+  std::string out = "\"";
+  for (const char c : text)
+    out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + '"';
+}
+
+bool is_output(const std::string& name) {
+  return std::any_of(columns.begin(), columns.end(), [&](const output_column& c) { return c.name == name; });
+}
+
+} // namespace
+
+std::string units_line() {
+  std::string line = "# units: SI;";
+  for (const output_column& column : columns)
+    line += fmt::format(" {} [{}]", column.name, column.unit);
+  return line + '\n';
+}
+
+std::string output_help() {
+  std::string all;
+  for (const output_column& column : columns)
+    all += fmt::format("  {:<27}{:<8}{}\n", column.name, column.unit, column.meaning);
+  return all;
+}
+
+std::string header_line(const header& header) {
+  std::set<std::string> taken;
+  for (const std::string& name : header.cells())
+    taken.insert(trimmed(name));
+  std::string line;
+  for (const std::string& name : header.cells()) {
+    std::string copied = name;
+    if (is_output(trimmed(name))) {
+      for (copied = "input_" + trimmed(name); taken.contains(copied);)
+        copied = "input_" + copied;
+      taken.insert(copied);
+    }
+    line += cell(copied) + ',';
+  }
+  for (const output_column& column : columns)
+    line += column.name + std::string(&column == &columns.back() ? "\n" : ",");
+  return line;
+}
+
+std::string row_line(const header& header, const csv_record& record, const outcome* result) {
+  std::string line;
+  for (std::size_t i = 0; i < header.cells().size(); ++i)
+    line += (i < record.cells.size() ? cell(record.cells[i]) : "") + ',';
+  const bool failed = !result || result->ending == ending::failed;
+  for (const output_column& column : columns) {
+    if (!failed)
+      line += column.text(*result);
+    else if (&column == &columns.front())
+      line += ricochet::name_of(ending::failed);
+    line += &column == &columns.back() ? '\n' : ',';
+  }
+  return line;
+}
+
+} // namespace collisions

@@ -1,0 +1,57 @@
+#include "row.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace collisions {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+header::header(const csv_record& record) : cells_(record.cells) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const auto [place, is_new] = places_.emplace(trimmed(cells_[i]), i);
+    if (!is_new)
+      throw file_error(fmt::format("line {}: columns {} and {} are both named {}; every column needs a name of its own",
+                                   record.line, place->second + 1, i + 1, quoted(place->first)));
+  }
+}
+
+row::row(const header& header, const csv_record& record) : header_(header), record_(record) {
+  if (!record.error.empty())
+    throw row_error("", record.error);
+  if (record.cells.size() != header.cells().size())
+    throw row_error("", fmt::format("the row has {} cells, the header {}", record.cells.size(), header.cells().size()));
+}
+
+bool row::is_blank(const std::string& column) const { return !header_.has(column) || trimmed(cell(column)).empty(); }
+
+std::string row::text(const std::string& column, std::string_view needed_by) const {
+  if (is_blank(column))
+    throw row_error(place(column), fmt::format("{}, but needed by {}",
+                                               header_.has(column) ? "blank" : "there is no such column", needed_by));
+  return trimmed(cell(column));
+}
+
+std::string row::place(const std::string& column) const {
+  return header_.has(column) ? fmt::format("column {}, value {}", column, quoted(cell(column))) : "column " + column;
+}
+
+double row::number(const std::string& column, std::string_view needed_by) const {
+  const std::string digits = text(column, needed_by);
+  const bool has_plus = digits.starts_with('+') && !digits.starts_with("+-");
+  const char* const first = digits.data() + (has_plus ? 1 : 0);
+  const char* const last = digits.data() + digits.size();
+  double x = 0;
+  const auto [end, problem] = std::from_chars(first, last, x);
+  if (problem == std::errc::invalid_argument || end != last)
+    throw row_error(place(column), "not a number: write it with a decimal point and without its unit, like 2.5e-6");
+  if (problem == std::errc::result_out_of_range)
+    throw row_error(place(column), "too large or too small for a double-precision number");
+  return x;
+}
+
+} // namespace collisions

@@ -1,0 +1,30 @@
+// One row's collision, ready to be solved.
+#pragma once
+#include <ricochet/body/pair.hpp>
+#include <ricochet/law/adhesion/jkr.hpp>
+#include <ricochet/law/crack/greenwood.hpp>
+#include <ricochet/law/crack/greenwood_fit.hpp>
+#include <ricochet/law/damping/hunt_crossley.hpp>
+#include <ricochet/law/damping/kuwabara_kono.hpp>
+#include <ricochet/law/damping/tsuji.hpp>
+#include <ricochet/law/elastic/hertz.hpp>
+#include <ricochet/law/end.hpp>
+
+#include <variant>
+
+namespace collisions {
+
+using no_law = std::monostate;
+
+/// A law for each role, or none; that they go together has been checked.
+struct scene {
+  ricochet::contact_pair pair{};
+  ricochet::speed speed{};
+  std::variant<ricochet::hertz> elastic;
+  std::variant<no_law, ricochet::jkr> adhesion;
+  std::variant<no_law, ricochet::greenwood, ricochet::greenwood_fit> crack;
+  std::variant<no_law, ricochet::kuwabara_kono, ricochet::hunt_crossley, ricochet::tsuji> damping;
+  std::variant<no_law, ricochet::end_at_zero_overlap> end; ///< none: at zero force, the library's default
+};
+
+} // namespace collisions

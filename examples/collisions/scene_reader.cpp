@@ -1,0 +1,165 @@
+#include "scene_reader.hpp"
+
+#include <ricochet/model/composable.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace collisions {
+
+namespace {
+
+constexpr const char* everyone = "every collision"; ///< who needs a column that all models need
+
+/// Column of a law's parameter; empty for one that keeps its default.
+std::string column_of(std::string_view parameter) {
+  if (parameter == "damping_per_speed")
+    return "hunt_crossley_coefficient";
+  if (parameter == "damping_ratio")
+    return "tsuji_coefficient";
+  if (parameter == "first_ratio_over_k")
+    return "";
+  return std::string(parameter);
+}
+
+template <class Law>
+bool may_be_blank(const std::string& column) {
+  return column.empty() || (std::is_same_v<Law, ricochet::greenwood_fit> && column == "modulus_ratio");
+}
+
+/// The law with its parameters from the row, each within the range that the law states.
+template <class Law>
+Law read_law(const row& row, std::string_view name) {
+  Law law{};
+  const auto read = [&](const auto& parameter) {
+    const std::string column = column_of(parameter.name);
+    auto& value = law.*(parameter.member);
+    if (!may_be_blank<Law>(column) || !row.is_blank(column))
+      value = row.quantity<std::remove_reference_t<decltype(value)>>(column, parameter.allowed, name);
+  };
+  if constexpr (requires { Law::parameters(); })
+    std::apply([&](const auto&... parameters) { (read(parameters), ...); }, Law::parameters());
+  if constexpr (requires { law.validate(); }) // only of the fits, which hold for one modulus ratio
+    row.checked("modulus_ratio", [&] { law.validate(); });
+  return law;
+}
+
+struct known_law {
+  std::string_view name;
+  ricochet::role_count roles;
+  void (*put)(scene&, const row&, std::string_view name);
+};
+
+template <class Law, auto Role>
+constexpr known_law law_in(std::string_view name) {
+  return {name, ricochet::count_roles<Law>(), [](scene& scene, const row& row, std::string_view self) {
+            scene.*Role = read_law<Law>(row, self);
+          }};
+}
+
+constexpr std::array<known_law, 9> laws{{
+    law_in<ricochet::hertz, &scene::elastic>("hertz"),
+    law_in<ricochet::jkr, &scene::adhesion>("jkr"),
+    law_in<ricochet::greenwood, &scene::crack>("greenwood"),
+    law_in<ricochet::greenwood_fit, &scene::crack>("greenwood_fit"),
+    law_in<ricochet::kuwabara_kono, &scene::damping>("kuwabara_kono"),
+    law_in<ricochet::hunt_crossley, &scene::damping>("hunt_crossley"),
+    law_in<ricochet::tsuji, &scene::damping>("tsuji"),
+    {"end_at_zero_force", ricochet::count_roles<ricochet::end_at_zero_force>(),
+     [](scene&, const row&, std::string_view) {}}, // is the default
+    law_in<ricochet::end_at_zero_overlap, &scene::end>("end_at_zero_overlap"),
+}};
+
+std::vector<std::string> names_in(const std::string& model) {
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin <= model.size();) {
+    const std::size_t end = std::min(model.find('+', begin), model.size());
+    names.push_back(trimmed(model.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return names;
+}
+
+const known_law& law_named(const std::string& name, const row& row) {
+  const auto law = std::find_if(laws.begin(), laws.end(), [&](const known_law& l) { return l.name == name; });
+  if (law == laws.end())
+    throw row_error(row.place("model"), name.empty() ? "a law's name is missing beside a +"
+                                                     : fmt::format("unknown law {}; there are {}", quoted(name), known_laws()));
+  return *law;
+}
+
+void add(ricochet::role_count& sum, const ricochet::role_count& n) {
+  sum.elastic += n.elastic;
+  sum.adhesion += n.adhesion;
+  sum.crack += n.crack;
+  sum.damping += n.damping;
+  sum.end += n.end;
+}
+
+/// The laws named, which go together.
+std::vector<known_law> read_model(const row& row) {
+  std::vector<known_law> model;
+  ricochet::role_count roles;
+  for (const std::string& name : names_in(row.text("model", everyone))) {
+    model.push_back(law_named(name, row));
+    add(roles, model.back().roles);
+  }
+  if (const std::string_view why = ricochet::refusal(roles); !why.empty())
+    throw row_error(row.place("model"), std::string(why));
+  return model;
+}
+
+ricochet::material read_material(const row& row, const std::string& body, bool with_density) {
+  ricochet::material solid{};
+  solid.youngs_modulus = row.quantity<ricochet::modulus>("youngs_modulus_" + body, ricochet::positive, everyone);
+  solid.poissons_ratio = row.quantity<double>("poissons_ratio_" + body, ricochet::poissons_ratio_range, everyone);
+  solid.mass_density = with_density ? row.quantity<ricochet::density>("density_" + body, ricochet::positive, "a sphere")
+                                    : ricochet::units::kilograms_per_cubic_metre; // of a wall: of no consequence
+  return solid;
+}
+
+ricochet::contact_pair read_pair(const row& row) {
+  constexpr ricochet::range positive_or_infinite{.low_included = false, .high_included = true};
+  const auto radius = row.quantity<ricochet::length>("radius_1", ricochet::positive, everyone);
+  const auto other_radius = row.quantity<ricochet::length>("radius_2", positive_or_infinite, everyone);
+  const bool wall = std::isinf(other_radius.value());
+  const ricochet::sphere body{read_material(row, "1", true), radius};
+  const ricochet::material other = read_material(row, "2", !wall);
+  return wall ? ricochet::between(body, ricochet::flat_wall{other})
+              : ricochet::between(body, ricochet::sphere{other, other_radius});
+}
+
+} // namespace
+
+std::string known_laws() {
+  std::string all;
+  for (const known_law& law : laws)
+    all += (all.empty() ? "" : ", ") + std::string(law.name);
+  return all;
+}
+
+scene scene_reader::read(const row& row) {
+  const std::vector<known_law> model = read_model(row);
+  scene scene{};
+  scene.pair = read_pair(row);
+  for (const known_law& law : model)
+    law.put(scene, row, law.name);
+  scene.speed = row.quantity<ricochet::speed>("speed", ricochet::positive, everyone);
+  if (auto* exact = std::get_if<ricochet::greenwood>(&scene.crack))
+    exact->table = table_for(exact->modulus_ratio);
+  return scene;
+}
+
+std::shared_ptr<const ricochet::greenwood_table> scene_reader::table_for(double modulus_ratio) {
+  constexpr std::size_t most = 256;
+  if (tables_.size() >= most && !tables_.contains(modulus_ratio))
+    tables_.clear();
+  auto& table = tables_[modulus_ratio];
+  if (!table)
+    table = std::make_shared<const ricochet::greenwood_table>(modulus_ratio);
+  return table;
+}
+
+} // namespace collisions

@@ -1,0 +1,5 @@
+// expects: two bulk damping laws were given: keep one
+
+#include "scene.hpp"
+
+int main() { compose(pair, hertz{}, bulk, tsuji{.damping_ratio = 0.1}); }
