@@ -75,8 +75,9 @@ EXAMPLE
 
 /// An argument as a shell would need it, on one line.
 std::string as_typed(const std::string& argument) {
-  const bool plain = !argument.empty() && argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                                     "0123456789_-+=./:,@%") == std::string::npos;
+  const bool plain =
+      !argument.empty() && argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                      "0123456789_-+=./:,@%") == std::string::npos;
   std::string out;
   for (const char c : argument)
     out += c == '\'' ? "'\\''" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);

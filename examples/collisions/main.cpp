@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -37,9 +38,9 @@ header read_header(csv_reader& input, const std::string& name) {
     throw file_error(name + " is empty: its first line should name the columns (see --help)");
   if (!record.error.empty())
     throw file_error(fmt::format("{}, line {}: {}", name, record.line, record.error));
-  const header columns(record);
-  if (columns.has("model"))
-    return columns;
+  if (std::any_of(record.cells.begin(), record.cells.end(),
+                  [](const std::string& column) { return trimmed(column) == "model"; }))
+    return header(record);
   const bool other_separator = record.cells.size() == 1 && record.cells[0].find_first_of(";\t") != std::string::npos;
   throw file_error(fmt::format("{}, line {}: there is no column \"model\" in the header {}{}", name, record.line,
                                quoted(fmt::format("{}", fmt::join(record.cells, ","))),

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -29,7 +30,8 @@ void remove_when_interrupted(const std::string& name) {
     return;
   std::memcpy(to_remove, name.c_str(), name.size() + 1);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    std::signal(signal, remove_and_die);
+    if (std::signal(signal, remove_and_die) == SIG_IGN) // as under nohup
+      std::signal(signal, SIG_IGN);
 }
 
 } // namespace
@@ -72,9 +74,9 @@ void output_file::finish() {
     fail("written");
   if (file_ == stdout)
     return;
-  const bool closed = (temporary_.empty() || fsync(fileno(file_)) == 0) & (std::fclose(file_) == 0);
-  file_ = nullptr;
-  if (!closed)
+  if (!temporary_.empty() && fsync(fileno(file_)) != 0)
+    fail("written");
+  if (std::fclose(std::exchange(file_, nullptr)) != 0)
     fail("written");
   if (!temporary_.empty() && std::rename(temporary_.c_str(), path_.c_str()) != 0)
     fail("given its name");
@@ -85,8 +87,8 @@ void output_file::finish() {
 bool output_file::is_terminal() const { return file_ && isatty(fileno(file_)) == 1; }
 
 void output_file::fail(const char* what) const {
-  throw file_error(fmt::format("{} cannot be {}: {}", path_.empty() ? "standard output" : path_, what,
-                               std::strerror(errno)));
+  throw file_error(
+      fmt::format("{} cannot be {}: {}", path_.empty() ? "standard output" : path_, what, std::strerror(errno)));
 }
 
 } // namespace collisions

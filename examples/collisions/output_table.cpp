@@ -35,10 +35,12 @@ constexpr std::array<output_column, 12> columns{{
     {"contacts", "1", "how often the bodies touched", [](const outcome& out) { return text(long(out.contacts)); }},
     {"contact_duration", "s", "first touch to final loss of contact (so far, when captured)",
      [](const outcome& out) { return text(ricochet::in_si(out.contact_duration)); }},
-    {"max_approach", "m", "largest mutual approach", [](const outcome& out) { return text(ricochet::in_si(out.max_approach)); }},
+    {"max_approach", "m", "largest mutual approach",
+     [](const outcome& out) { return text(ricochet::in_si(out.max_approach)); }},
     {"max_contact_radius", "m", "largest contact radius",
      [](const outcome& out) { return text(ricochet::in_si(out.max_contact_radius)); }},
-    {"max_tension", "N", "largest total tension", [](const outcome& out) { return text(ricochet::in_si(out.max_tension)); }},
+    {"max_tension", "N", "largest total tension",
+     [](const outcome& out) { return text(ricochet::in_si(out.max_tension)); }},
     {"crack_loss", "1", "lost at the contact's edge, fraction of the initial kinetic energy, jumps included",
      [](const outcome& out) { return text(out.crack_loss); }},
     {"bulk_loss", "1", "lost in the bulk, likewise", [](const outcome& out) { return text(out.bulk_loss); }},
@@ -46,7 +48,8 @@ constexpr std::array<output_column, 12> columns{{
      [](const outcome& out) { return text(out.ledger_residual); }},
     {"error_estimate", "1", "bound of the error of the restitution",
      [](const outcome& out) { return text(out.error_estimate); }},
-    {"evaluations", "1", "evaluations of the equations of motion", [](const outcome& out) { return text(out.evaluations); }},
+    {"evaluations", "1", "evaluations of the equations of motion",
+     [](const outcome& out) { return text(out.evaluations); }},
 }};
 
 /// The cell as CSV: in quotes where it must be.

@@ -35,7 +35,8 @@ public:
 
   bool is_blank(const std::string& column) const;
 
-  /// The cell without spaces around it. \throws row_error, with who needs it, if it is blank or there is no such column.
+  /// The cell without spaces around it. \throws row_error, with who needs it, if it is blank or there is no such
+  /// column.
   std::string text(const std::string& column, std::string_view needed_by) const;
 
   /// A number, whole and finite or within `allowed`, times one SI unit of Quantity. \throws row_error

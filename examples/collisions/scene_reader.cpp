@@ -54,9 +54,8 @@ struct known_law {
 
 template <class Law, auto Role>
 constexpr known_law law_in(std::string_view name) {
-  return {name, ricochet::count_roles<Law>(), [](scene& scene, const row& row, std::string_view self) {
-            scene.*Role = read_law<Law>(row, self);
-          }};
+  return {name, ricochet::count_roles<Law>(),
+          [](scene& scene, const row& row, std::string_view self) { scene.*Role = read_law<Law>(row, self); }};
 }
 
 constexpr std::array<known_law, 9> laws{{
@@ -85,8 +84,9 @@ std::vector<std::string> names_in(const std::string& model) {
 const known_law& law_named(const std::string& name, const row& row) {
   const auto law = std::find_if(laws.begin(), laws.end(), [&](const known_law& l) { return l.name == name; });
   if (law == laws.end())
-    throw row_error(row.place("model"), name.empty() ? "a law's name is missing beside a +"
-                                                     : fmt::format("unknown law {}; there are {}", quoted(name), known_laws()));
+    throw row_error(row.place("model"), name.empty()
+                                            ? "a law's name is missing beside a +"
+                                            : fmt::format("unknown law {}; there are {}", quoted(name), known_laws()));
   return *law;
 }
 

@@ -10,9 +10,8 @@
 
 namespace collisions {
 
-using outcome =
-    ricochet::basic_outcome<double, ricochet::length, ricochet::duration, ricochet::force,
-                            ricochet::requests{.ledger = true, .duration = true, .extremes = true}>;
+using outcome = ricochet::basic_outcome<double, ricochet::length, ricochet::duration, ricochet::force,
+                                        ricochet::requests{.ledger = true, .duration = true, .extremes = true}>;
 
 // One for each stepper, each compiled in a file of its own: stepper_*.cpp.
 // \throws ricochet::bad_input where the library refuses the scene.

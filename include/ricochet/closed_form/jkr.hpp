@@ -9,7 +9,6 @@
 namespace ricochet::closed_form {
 
 namespace detail {
-
 /// The static branch in units of the fold's radius: s = sqrt(a/a_c), delta = (a_c^2/R)(s^4 - 4s),
 /// U_E + U_S = (E* a_c^5/R^2) u(s), u = 8s^10/15 - 16s^7/3 + 8s^4. Touch s^3 = 4, no force s^3 = 6, fold s = 1.
 struct jkr_impact {
@@ -58,7 +57,6 @@ struct jkr_impact {
            (to_turning(touch) + to_turning(rest) + quadrature.integrate(to_fold, 0., rest - 1, precision));
   }
 };
-
 } // namespace detail
 
 /// Largest speed of impact at which the bodies stay together.

@@ -18,7 +18,7 @@ struct tsuji_impact {
   double zeta, s;
 
   explicit tsuji_impact(double damping_ratio)
-      : zeta(damping_ratio / std::sqrt(5.)), s(std::sqrt(std::abs((1 - zeta) * (1 + zeta)))) {}
+      : zeta(damping_ratio / std::sqrt(5.)), s(std::sqrt(std::abs(1 - zeta)) * std::sqrt(1 + zeta)) {}
 
   /// acos(zeta)/s, acosh(zeta)/s beyond 1.
   double half_angle() const {

@@ -52,23 +52,32 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
       tolerance *= real(1e-2);
       continue;
     }
-    // Error of the energy left, in units of the initial one; e = sqrt(energy left). The energy at the turning point is
-    // compared too, lest errors of the two legs that happen to cancel pass for accuracy.
-    const real energy_error = max<real>(abs(value_of(fine.remaining_energy() - coarse.remaining_energy())),
-                                        abs(value_of(fine.energy_at_turning() - coarse.energy_at_turning()))) /
-                                  kinetic +
-                              32 * std::numeric_limits<real>::epsilon() * fine.largest_energy() / kinetic;
+    // Error of the energy left, in units of the initial one. The energy at the turning point is compared too, lest errors
+    // of the two legs that happen to cancel pass for accuracy.
+    const real round_off = 32 * std::numeric_limits<real>::epsilon() * fine.largest_energy() / kinetic;
+    const real first_leg = abs(value_of(fine.energy_at_turning() - coarse.energy_at_turning())) / kinetic;
+    const real energy_error =
+        max<real>(abs(value_of(fine.remaining_energy() - coarse.remaining_energy())) / kinetic, first_leg) + round_off;
     const real margin = abs(value_of(fine.remaining_energy()) - value_of(model.exit_energy())) / kinetic;
     real error = 0;
     if (out.restitution) {
       if (value_of(*out.restitution) > real(1)) // losses never are negative: what exceeds one is error
         *out.restitution -= T(value_of(*out.restitution) - real(1));
       const real e = value_of(*out.restitution);
-      error = min<real>(energy_error / max<real>(e, std::numeric_limits<real>::min()), sqrt(energy_error));
+      if (Reduced::free_edge && rough.restitution) // the edge decides when to let go: e passes through zero linearly
+        error = max<real>(abs(e - value_of(*rough.restitution)), first_leg) + round_off;
+      else // the energy decides: e = sqrt(energy left)
+        error = min<real>(energy_error / max<real>(e, std::numeric_limits<real>::min()), sqrt(energy_error));
     } else if (margin < energy_error) {
       error = sqrt(energy_error);
     }
-    out.ending_is_certain = rough.ending == out.ending && (out.restitution.has_value() || margin > energy_error);
+    out.ending_is_certain = rough.ending == out.ending;
+    if (out.restitution) {
+      out.ending_is_certain &= value_of(*out.restitution) > error;
+    } else { // captured by its energy, and not by a hair's breadth when the edge let go of bodies already approaching
+      const real miss = abs(fine.near_miss() - coarse.near_miss()) + round_off;
+      out.ending_is_certain &= margin > energy_error && !(fine.near_miss() < miss);
+    }
     out.error_estimate = static_cast<double>(error);
     if ((error <= wanted && out.ending_is_certain) || last_round)
       return out;

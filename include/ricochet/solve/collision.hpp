@@ -35,6 +35,7 @@ public:
         out_.restitution = T(-x[approach_rate] / speed);
         break;
       }
+      near_miss_ = std::min<real>(near_miss_, value_of(x[approach_rate]) / value_of(speed));
       x = next_touch(x); // the edge let go while the bodies were approaching: they fly freely and touch again
     }
     if (captured_)
@@ -47,6 +48,8 @@ public:
   const T& remaining_energy() const { return remaining_; }
   /// Potential energy at the first turning point.
   const T& energy_at_turning() const { return energy_at_turning_; }
+  /// Approach rate over the impact's speed where the edge first let go of bodies that were approaching; infinite if never.
+  const real& near_miss() const { return near_miss_; }
   /// Largest energy met, kinetic or potential.
   const real& largest_energy() const { return largest_energy_; }
 
@@ -352,7 +355,7 @@ private:
   outcome_type out_;
   bool approaching_ = true, has_turned_ = false, captured_ = false;
   T initial_energy_ = T(0), energy_at_turning_ = T(0), remaining_ = T(0), jumps_at_edge_ = T(0), relaxed_in_bulk_ = T(0);
-  real largest_energy_ = 0;
+  real largest_energy_ = 0, near_miss_ = std::numeric_limits<real>::infinity();
 };
 
 } // namespace ricochet

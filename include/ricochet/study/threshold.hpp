@@ -14,7 +14,8 @@ struct sticking_threshold {
 };
 
 /// Largest speed between `low` and `high` at which the pair stays together, by a root search on the certified ending:
-/// halving, and the straight line of e^2 through the separated collisions next to the threshold.
+/// halving, and the straight line through the separated collisions next to the threshold: of e^2 where the
+/// energy decides, of e where a free edge does.
 /// relative_width: of the bracket returned, 1e-12 to 1e-1; wider only where round-off leaves the ending uncertain.
 /// \throws bad_input if the pair does not stick at `low` or does at `high`, or if a collision cannot be resolved.
 template <class Model>
@@ -24,20 +25,21 @@ sticking_threshold sticking_speed(const Model& model, speed low, speed high, dou
   require("relative_width", relative_width, range{.low = 1e-12, .high = 1e-1, .high_included = true});
   sticking_threshold found{low, high};
   struct point {
-    double v, e_squared;
+    double v, value; // a function of e that is linear next to the threshold
   };
   std::optional<point> near, nearer; // separated collisions, approaching the threshold
   bool decided = true;
+  const double tolerance = Model::has_crack_law ? std::max(relative_width / 4, tolerance_range.low) : 1e-7;
   const auto sticks = [&](speed v) {
     ++found.collisions;
-    const auto out = collide(model, impact{v}, {.tolerance = 1e-7});
+    const auto out = collide(model, impact{v}, {.tolerance = tolerance});
     if (out.ending != ending::captured && out.ending != ending::separated)
       throw bad_input("sticking speed: the collision at " + std::to_string(in_si(v)) + " m/s ended " +
                       name_of(out.ending) + ": " + out.reason);
     decided = out.ending_is_certain;
     if (out.restitution) {
       near = nearer;
-      nearer = point{in_si(v), *out.restitution * *out.restitution};
+      nearer = point{in_si(v), Model::has_crack_law ? *out.restitution : square(*out.restitution)};
     }
     return out.ending == ending::captured;
   };
@@ -45,18 +47,24 @@ sticking_threshold sticking_speed(const Model& model, speed low, speed high, dou
     throw bad_input("sticking speed: the pair does not stick at the low speed, " + std::to_string(in_si(low)) + " m/s");
   if (sticks(high))
     throw bad_input("sticking speed: the pair sticks at the high speed too, " + std::to_string(in_si(high)) + " m/s");
-  for (int i = 0; i < 200; ++i) {
+  int since_halved = 0;
+  for (;;) {
     const double a = in_si(found.largest_captured), b = in_si(found.smallest_separated);
     if (b - a <= relative_width * b)
       break;
-    double v = 0.5 * (a + b);
-    if (near && nearer && i % 3 != 2) { // every third time halve, whatever the line says
-      const double slope = (near->e_squared - nearer->e_squared) / (near->v - nearer->v);
-      const double zero = nearer->v - nearer->e_squared / slope;
-      const double aside = (i % 3 == 0 ? 0.4 : -0.4) * relative_width * b;
+    double v = std::sqrt(a * b);
+    if (b < 1.05 * a && near && nearer && since_halved < 3) { // close to the threshold a straight line
+      const double slope = (near->value - nearer->value) / (near->v - nearer->v);
+      const double zero = nearer->v - nearer->value / slope;
+      const double aside = (found.collisions % 2 ? 0.3 : -0.3) * std::min(b - a, relative_width * b);
       if (zero + aside > a && zero + aside < b)
         v = zero + aside;
+      ++since_halved;
+    } else {
+      since_halved = 0;
     }
+    if (v <= a || v >= b)
+      break;
     const bool stuck = sticks(v * units::metres_per_second);
     if (!decided)
       break;
