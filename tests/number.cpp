@@ -23,7 +23,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(powers, T, floats) {
   BOOST_TEST(std::abs(cube_root(T(27)) - T(3)) <= 4 * std::numeric_limits<T>::epsilon() * 3);
   BOOST_TEST(cube_root(T(0)) == T(0));
   const T small = std::numeric_limits<T>::min();
-  BOOST_TEST(std::abs(cube(cube_root(small)) / small - 1) < 200 * std::numeric_limits<T>::epsilon()); // exponent times ulp
+  // the rounding of the exponent 1/3 is multiplied by the logarithm
+  BOOST_TEST(std::abs(cube(cube_root(small)) / small - 1) < -std::log(small) * std::numeric_limits<T>::epsilon());
 }
 
 BOOST_AUTO_TEST_CASE(select_on_a_plain_condition_evaluates_one_side) {

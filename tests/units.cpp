@@ -62,8 +62,8 @@ void has_exponents(const Quantity& quantity, double l, double m, double t) {
 }
 
 template <class Quantity>
-void is(const Quantity& quantity, double si_value, const std::string& symbol) {
-  BOOST_TEST(in_si(quantity) == si_value);
+void is(const Quantity& quantity, double expected, const std::string& symbol) {
+  BOOST_TEST(in_si(quantity) == expected);
   BOOST_TEST(unit_symbol(quantity) == symbol);
 }
 

@@ -8,7 +8,7 @@ using namespace ricochet::units;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 constexpr material ice = materials::water_ice;
 
 auto says(const std::string& name, const std::string& value, const std::string& range) {
@@ -20,7 +20,7 @@ auto says(const std::string& name, const std::string& value, const std::string& 
 }
 
 /// Values that no quantity may have, and how they are printed.
-const std::pair<double, std::string> wrong[] = {{-1, "-1"}, {nan, "nan"}, {inf, "inf"}, {-inf, "-inf"}};
+const std::pair<double, std::string> wrong[] = {{-1, "-1"}, {not_a_number, "nan"}, {inf, "inf"}, {-inf, "-inf"}};
 
 } // namespace
 

@@ -9,7 +9,7 @@ using namespace ricochet::units;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 const sphere ice{materials::water_ice, 2.0 * micrometres}, ball{materials::steel, 5.0 * micrometres};
 const flat_wall wall{materials::silicon};
 
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(a_wall_is_the_limit_of_a_huge_sphere) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_bodies_are_named) {
-  const std::pair<double, std::string> wrong[] = {{0, "0"}, {-1, "-1"}, {nan, ""}, {inf, "inf"}};
+  const std::pair<double, std::string> wrong[] = {{0, "0"}, {-1, "-1"}, {not_a_number, ""}, {inf, "inf"}};
   for (const auto& [x, text] : wrong) {
     const sphere radius{ice.solid, x * metres};
     BOOST_CHECK_EXCEPTION(between(radius, ice), bad_input, says("first sphere: radius", text, "(0, inf) m"));

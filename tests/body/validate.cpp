@@ -8,7 +8,7 @@ using namespace ricochet::units;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
 
 /// The sentence of refusal, empty where the quantity is accepted.
 template <class Quantity>
@@ -31,12 +31,12 @@ BOOST_AUTO_TEST_CASE(open_and_closed_ends) {
   static_assert(modulus_ratio_range.contains(1e-4) && modulus_ratio_range.contains(0.98));
   static_assert(!modulus_ratio_range.contains(0.9999e-4) && !modulus_ratio_range.contains(0.9801));
   for (const range& each : {positive, non_negative, poissons_ratio_range, modulus_ratio_range}) {
-    BOOST_TEST(!each.contains(nan));
+    BOOST_TEST(!each.contains(not_a_number));
     BOOST_TEST(!each.contains(inf));
     BOOST_TEST(!each.contains(-inf));
   }
   constexpr range whole{.low = -inf, .high = inf, .high_included = true};
-  static_assert(whole.contains(inf) && whole.contains(-inf) && !whole.contains(nan));
+  static_assert(whole.contains(inf) && whole.contains(-inf) && !whole.contains(not_a_number));
 }
 
 BOOST_AUTO_TEST_CASE(text_of_a_range) {
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(refusal_names_quantity_value_range_and_unit) {
   BOOST_TEST(refused(-3.0 * micrometres, positive) == "thing = -3e-06 m is outside (0, inf) m");
   BOOST_TEST(refused(0.0 * gigapascals, positive) == "thing = 0 Pa is outside (0, inf) Pa");
   BOOST_TEST(refused(-1.0 * joules_per_square_metre, non_negative) == "thing = -1 J/m^2 is outside [0, inf) J/m^2");
-  BOOST_TEST(refused(nan * metres_per_second, positive).find("nan m/s is outside (0, inf) m/s") != std::string::npos);
+  BOOST_TEST(refused(not_a_number * metres_per_second, positive).find("nan m/s is outside (0, inf) m/s") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_an_invalid_argument) {

@@ -33,9 +33,8 @@ struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack
 template <class Model>
 concept solved = detail::is_solved<Model>::value;
 
-/// Outcome of an impact at speed v from the closed forms; its error is that of round-off. A captured contact of
-/// adhesive elastic bodies rings for ever: its duration is that up to the first turning point's certificate and is
-/// left at zero here, as it is for an overdamped contact that ends at zero overlap.
+/// Outcome of an impact at speed v from the closed forms; its error is that of round-off. The duration of a captured
+/// contact is no closed form's and stays zero.
 template <solved Model>
 outcome_of<Model> solve(const Model& model, speed v) {
   constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();

@@ -13,7 +13,7 @@ struct impact {
 /// max_evaluations: of the equations of motion, for each solution of the collision; spent, the ending is `unresolved`.
 struct collide_options {
   double tolerance = 1e-8;
-  long max_evaluations = 10'000'000;
+  long max_evaluations = 3'000'000;
 };
 
 inline constexpr range tolerance_range{.low = 1e-12, .high = 1e-1, .high_included = true};
@@ -152,7 +152,10 @@ auto collide(const Model& model, const impact& impact, const collide_options& op
   if constexpr (closed_form::solved<Model>) {
     require("speed", impact.speed, positive);
     require("tolerance", options.tolerance, tolerance_range);
-    return closed_form::solve(model, impact.speed);
+    auto out = closed_form::solve(model, impact.speed);
+    if (Model::asked.duration && out.ending == ending::captured) // how long it took to be certain
+      return integrate(model, impact, options);
+    return out;
   } else {
     return integrate(model, impact, options);
   }

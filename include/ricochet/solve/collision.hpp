@@ -74,7 +74,7 @@ private:
     arm(armed, x);
     armed[std::size_t(event::letting_go)] = Reduced::adhesive; // without adhesion the overlap starts at zero
     real h = longest_step_ / 32;
-    kink_.emplace(sqrt(tolerance_) / 16);
+    kink_ = kink{.closest = sqrt(tolerance_) / 16};
     for (;;) {
       h = kink_->graded(std::min<real>(h, longest_step_), time_to_kink(x));
       if (flow_.evaluations > budget_) {

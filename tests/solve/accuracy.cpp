@@ -1,0 +1,103 @@
+// Achieved error against requested tolerance and against the error estimate, over random collisions of every instance.
+// RICOCHET_SCENES sets their number (1000 for instances without a crack law, a tenth of it with one, unless given);
+// the reference is the long double solution at a step tolerance of 1e-17.
+#define BOOST_TEST_MODULE solve_accuracy
+#include <boost/test/included/unit_test.hpp>
+
+#include "support/random_scenes.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <future>
+
+using namespace support;
+
+namespace {
+
+struct deviation {
+  double error, estimate;
+  bool certain, separated;
+};
+
+std::size_t number_of_scenes(std::size_t otherwise) {
+  const char* asked = std::getenv("RICOCHET_SCENES");
+  return asked ? std::strtoul(asked, nullptr, 10) : otherwise;
+}
+
+/// Solves all scenes at all tolerances, on two threads.
+template <class Compose>
+void check(const Compose& compose_scene, std::size_t count, unsigned seed) {
+  const std::vector<double> tolerances{1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
+  std::vector<scene> all;
+  scenes source(seed);
+  for (std::size_t i = 0; i < count; ++i)
+    all.push_back(source.next());
+  std::vector<std::vector<deviation>> found(tolerances.size(), std::vector<deviation>(count));
+  const auto solve = [&](std::size_t first) {
+    for (std::size_t i = first; i < count; i += 2) {
+      const auto model = compose_scene(all[i]);
+      const double exact = reference_restitution(model, all[i].speed);
+      for (std::size_t t = 0; t < tolerances.size(); ++t) {
+        const auto out = integrate(model, impact{all[i].speed}, {.tolerance = tolerances[t]});
+        found[t][i] = {std::abs(out.restitution.value_or(0) - exact), out.error_estimate, out.ending_is_certain,
+                       out.restitution.has_value()};
+      }
+    }
+  };
+  auto half = std::async(std::launch::async, solve, 1);
+  solve(0);
+  half.get();
+  for (std::size_t t = 0; t < tolerances.size(); ++t) {
+    std::vector<double> ratios;
+    double worst = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const deviation& d = found[t][i];
+      BOOST_TEST_CONTEXT("tolerance " << tolerances[t] << ", scene " << i) {
+        // 2.3e-16: the reference itself is rounded to double
+        BOOST_TEST(d.error <= d.estimate + 2.3e-16, d.error << " > " << d.estimate);
+        if (d.estimate <= tolerances[t])
+          BOOST_TEST(d.error <= tolerances[t]);
+        else // conditioning forbids it, and the outcome says so
+          BOOST_TEST((!d.certain || d.estimate > tolerances[t]));
+      }
+      worst = std::max(worst, d.error);
+      if (d.separated)
+        ratios.push_back(d.estimate / std::max(d.error, 1e-17));
+    }
+    std::nth_element(ratios.begin(), ratios.begin() + std::ptrdiff_t(ratios.size() / 2), ratios.end());
+    const double median = ratios[ratios.size() / 2];
+    const auto beyond = std::count_if(found[t].begin(), found[t].end(),
+                                      [&](const deviation& d) { return d.estimate > tolerances[t]; });
+    BOOST_TEST_MESSAGE("tolerance " << tolerances[t] << ": largest error " << worst << ", median estimate/error "
+                                    << median << ", estimates beyond the tolerance " << beyond);
+    BOOST_TEST(median <= 30);
+    BOOST_TEST(static_cast<double>(beyond) <= 0.02 * static_cast<double>(count) + 1);
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(viscous_hertz_scenes) {
+  check([](const scene& s) { return viscous_hertz(s); }, number_of_scenes(1000), 11);
+}
+BOOST_AUTO_TEST_CASE(viscous_hertz_to_zero_overlap_scenes) {
+  check([](const scene& s) { return viscous_hertz(s, end_at_zero_overlap{}); }, number_of_scenes(1000), 12);
+}
+BOOST_AUTO_TEST_CASE(hunt_crossley_scenes) {
+  check([](const scene& s) { return hunt_crossley_hertz(s); }, number_of_scenes(1000), 13);
+}
+BOOST_AUTO_TEST_CASE(tsuji_scenes) {
+  check([](const scene& s) { return tsuji_hertz(s); }, number_of_scenes(1000), 14);
+}
+BOOST_AUTO_TEST_CASE(static_jkr_scenes) {
+  check([](const scene& s) { return static_jkr(s); }, number_of_scenes(1000), 15);
+}
+BOOST_AUTO_TEST_CASE(viscous_jkr_scenes) {
+  check([](const scene& s) { return viscous_jkr(s); }, number_of_scenes(1000), 16);
+}
+BOOST_AUTO_TEST_CASE(viscoelastic_jkr_fit_scenes) {
+  check([](const scene& s) { return viscoelastic_jkr_fit(s); }, number_of_scenes(60), 17);
+}
+BOOST_AUTO_TEST_CASE(viscoelastic_jkr_scenes) {
+  check([](const scene& s) { return viscoelastic_jkr(s); }, number_of_scenes(60), 18);
+}
