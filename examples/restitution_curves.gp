@@ -14,7 +14,7 @@ set yrange [0:1.05]
 set format x '%g'
 set grid xtics ytics lc rgb '#dddddd' lt 1
 set key bottom right box lc rgb '#bbbbbb' opaque spacing 1.2 width 1
-set label 1 "two water-ice spheres, radius 2 {/Symbol m}m\nw = 0.74 J/m^2, T_{vis} = 10^{-11} s, k = 0.02" at graph 0.03,0.93
+set label 1 "two water-ice spheres, radius 2 {/Symbol m}m\nw = 0.74 J/m^2, T_{vis} = 10^{-11} s, k = 0.02" at graph 0.03,0.6
 
 plot_all = "\
   curves using 'speed':'hertz' with lines lw 1.5 dt 3 lc rgb '#999999' title 'Hertz', \

@@ -14,3 +14,19 @@
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
+
+#include <ricochet/closed_form/hertz.hpp>
+#include <ricochet/closed_form/hunt_crossley.hpp>
+#include <ricochet/closed_form/jkr.hpp>
+#include <ricochet/closed_form/regime.hpp>
+#include <ricochet/closed_form/tsuji.hpp>
+#include <ricochet/closed_form/viscoelastic_hertz.hpp>
+
+#include <ricochet/model/physical_system.hpp>
+
+#include <ricochet/solve/steppers.hpp>
+
+#include <ricochet/study/sweep.hpp>
+#include <ricochet/study/table.hpp>
+#include <ricochet/study/threshold.hpp>
+#include <ricochet/study/trajectory_table.hpp>

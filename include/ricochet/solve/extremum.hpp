@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include <boost/math/tools/minima.hpp>

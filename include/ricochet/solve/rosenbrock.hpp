@@ -5,12 +5,24 @@
 #include <memory>
 
 #include <Eigen/LU>
-#include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 
 namespace ricochet::stepper {
 
-/// odeint's Rosenbrock method of order 4 (L-stable): its coefficients on matrices of fixed size, because odeint's own
-/// class is tied to uBLAS vectors, which Boost 1.74 cannot compile as C++20 (tests/solve/rosenbrock.cpp compares both).
+/// Coefficients of RODAS, six stages, order 4(3), stiffly accurate [Hairer & Wanner, Solving ODEs II, IV.7].
+template <class Real>
+struct rodas_coefficients {
+  static constexpr Real gamma{0.25L};
+  static constexpr Real a21{1.544L}, a31{0.9466785280815826L}, a32{0.2557011698983284L}, a41{3.314825187068521L},
+      a42{2.896124015972201L}, a43{0.9986419139977817L}, a51{1.221224509226641L}, a52{6.019134481288629L},
+      a53{12.53708332932087L}, a54{-0.6878860361058950L};
+  static constexpr Real c21{-5.6688L}, c31{-2.430093356833875L}, c32{-0.2063599157091915L}, c41{-0.1073529058151375L},
+      c42{-9.594562251023355L}, c43{-20.47028614809616L}, c51{7.496443313967647L}, c52{-10.24680431464352L},
+      c53{-33.99990352819905L}, c54{11.70890893206160L}, c61{8.083246795921522L}, c62{-7.981132988064893L},
+      c63{-31.52159432874371L}, c64{16.31930543123136L}, c65{-6.058818238834054L};
+};
+
+/// odeint's rosenbrock4, the L-stable method RODAS, on packed states and matrices of fixed size: odeint's own class is
+/// tied to uBLAS vectors, which Boost 1.74 cannot compile as C++20 (tests/solve/rosenbrock.cpp compares both).
 /// The Jacobian is taken by dual numbers. For motions in which the edge is much faster than the collision.
 struct rosenbrock4 {
   template <class Flow>
@@ -52,7 +64,7 @@ struct rosenbrock4 {
       if (!known_)
         differentiate(f, x);
       known_ = true;
-      static const odeint::default_rosenbrock_coefficients<real> c;
+      constexpr rodas_coefficients<real> c;
       const Eigen::PartialPivLU<matrix> solver(matrix(matrix::Identity() / (c.gamma * h) - jacobian_));
       const auto slope = [&f](const vector& v) {
         state_type dx{};
