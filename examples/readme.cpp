@@ -25,8 +25,8 @@ int main() {
 
   const auto out = collide(model, impact{.speed = 8.0 * metres_per_second});
 
-  std::printf("%s with e = %.8f +- %.0e after %.4g ns\n", name_of(out.ending), out.restitution.value_or(0),
-              out.error_estimate, 1e9 * in_si(out.contact_duration));
+  std::printf("%s with e = %.7f (%s) after %.4g ns\n", name_of(out.ending), out.restitution.value_or(0),
+              out.error_estimate <= 1e-8 ? "certain to 1e-8" : "uncertain", 1e9 * in_si(out.contact_duration));
   std::printf("lost at the edge %.4f, in the bulk %.4f of the kinetic energy\n", out.crack_loss, out.bulk_loss);
 }
 // [program]

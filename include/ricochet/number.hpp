@@ -1,6 +1,7 @@
 // What a scalar type must offer to be put into the laws' formulas: the few things beyond + - * / sqrt log exp pow.
 // Adapters for other types stand in number/: autodiff.hpp, multiprecision.hpp, xsimd.hpp.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -11,6 +12,17 @@
 #endif
 
 namespace ricochet {
+
+// The formulas' functions: of plain numbers from here, of other scalar types by their own namespace, of quantities from
+// units.hpp.
+using std::abs;
+using std::exp;
+using std::isfinite;
+using std::log;
+using std::max;
+using std::min;
+using std::pow;
+using std::sqrt;
 
 /// How ricochet sees a scalar type T. `real` is the plain number that steers steps and events;
 /// `value` is the part of x that it looks at; `inverts_exactly` is true where a double-precision table is too coarse.
@@ -64,7 +76,6 @@ constexpr T cube(const T& x) {
 /// Cube root for any scalar with pow: only for set-up, never in a loop.
 template <class T>
 T cube_root(const T& x) {
-  using std::pow;
   return value_of(x) > 0 ? T(pow(x, T(1) / T(3))) : T(0);
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 #include <ricochet/number.hpp>
 
-#include <boost/units/cmath.hpp>
 #include <boost/units/get_dimension.hpp>
 #include <boost/units/pow.hpp>
 #include <boost/units/quantity.hpp>
@@ -87,6 +86,14 @@ struct reduced {
   using damping = T;
 };
 
+template <class Unit>
+constexpr auto sqrt(const boost::units::quantity<Unit>& q) {
+  return boost::units::root<2>(q);
+}
+template <class Unit>
+constexpr auto abs(const boost::units::quantity<Unit>& q) {
+  return q < boost::units::quantity<Unit>() ? -q : q;
+}
 template <class Unit>
 constexpr auto cube_root(const boost::units::quantity<Unit>& q) {
   return boost::units::root<3>(q);

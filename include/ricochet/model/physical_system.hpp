@@ -34,7 +34,7 @@ public:
     dxdt[mutual_approach] = c.rate;
     dxdt[approach_rate] = -numbers_.total_force(c) / numbers_.pair.reduced_mass;
     if constexpr (free_edge) {
-      const auto edge = rate_anywhere<double>(numbers_.crack, std::sqrt(energy_release_ratio(x)));
+      const auto edge = rate_anywhere<double>(numbers_.crack, sqrt(energy_release_ratio(x)));
       dxdt[contact_radius] = edge_speed() * edge.advance / edge.slowness;
     }
   }
@@ -53,16 +53,16 @@ private:
     if constexpr (free_edge)
       a = x[contact_radius];
     else if constexpr (Model::adhesive)
-      a = numbers_.adhesion.contact_radius(numbers_.pair, std::max(x[mutual_approach], fold_approach()));
+      a = numbers_.adhesion.contact_radius(numbers_.pair, max(x[mutual_approach], fold_approach()));
     else
-      a = std::sqrt(std::max(0.0, x[mutual_approach]) * numbers_.pair.reduced_radius);
-    return {x[mutual_approach], x[approach_rate], a, std::sqrt(a)};
+      a = sqrt(max(0.0, x[mutual_approach]) * numbers_.pair.reduced_radius);
+    return {x[mutual_approach], x[approach_rate], a, sqrt(a)};
   }
 
   double fold_approach() const requires Model::adhesive {
     const double a = numbers_.adhesion.fold_radius(numbers_.pair);
     return numbers_.elastic.load_free_approach(numbers_.pair, a) -
-           numbers_.adhesion.flattening(numbers_.pair) * std::sqrt(a);
+           numbers_.adhesion.flattening(numbers_.pair) * sqrt(a);
   }
 
   double edge_speed() const requires free_edge {

@@ -54,7 +54,6 @@ public:
 
   /// Recomputes what is constant during a collision; to be called after a law's parameter was changed.
   void prepare() {
-    using std::sqrt;
     if constexpr (adhesive) {
       flattening_ = adhesion.flattening(pair);
       exit_energy_ = free_edge ? T(0) : adhesion.exit_energy(pair);
@@ -89,7 +88,6 @@ public:
       now.c.root_radius = y;
     now.inside = true;
     if constexpr (free_edge) {
-      using std::sqrt;
       now.c.approach = x[mutual_approach];
       now.root_ratio = (elastic.load_free_approach(pair, now.c.radius) - now.c.approach) / (flattening_ * y);
       now.inside = value_of(y) > 0 && value_of(now.root_ratio) > 0;
@@ -177,7 +175,6 @@ public:
 
   /// The contact at touch, delta = 0, at this speed; quadratures at zero.
   state_type touch(const T& speed) const {
-    using std::sqrt;
     state_type x{};
     for (auto& component : x)
       component = T(0);
@@ -191,7 +188,6 @@ public:
 
   /// Coordinate at the fold of the static branch, where a slaved adhesive edge lets go.
   T fold_coordinate() const requires adhesive {
-    using std::sqrt;
     return sqrt(adhesion.fold_radius(pair));
   }
 
@@ -202,7 +198,6 @@ public:
 
   /// Size of the unknowns in a collision: the measure of their errors.
   state_type typical() const {
-    using std::sqrt;
     state_type x{};
     for (auto& component : x)
       component = T(1);

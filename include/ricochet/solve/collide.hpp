@@ -26,10 +26,6 @@ template <class Stepper, class Reduced>
 auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& speed, const collide_options& options) {
   using T = typename Reduced::number;
   using real = real_of<T>;
-  using std::abs;
-  using std::max;
-  using std::min;
-  using std::sqrt;
   const real wanted = real(options.tolerance), finest = 4 * std::numeric_limits<real>::epsilon();
   const real refinement = 8, v = value_of(speed), kinetic = v * v * value_of(model.pair.reduced_mass) / 2;
   real tolerance = min<real>(wanted, real(1e-7)) * min<real>(v, real(1));

@@ -68,7 +68,6 @@ private:
 
   /// Integrates until the contact lets go; false where the collision has ended otherwise.
   bool follow_contact(state_type& x) {
-    using std::sqrt;
     method_type method(tolerance_, typical_);
     std::array<bool, event_count> armed{};
     arm(armed, x);
@@ -307,14 +306,12 @@ private:
   }
 
   void meet_energy(const T& potential) {
-    using std::abs;
     largest_energy_ = std::max<real>(largest_energy_, abs(value_of(potential)));
   }
 
   /// Beyond it no error estimate is to be believed. It shrinks with the tolerance, so that two solutions at different
   /// tolerances never share the errors of their longest steps.
   static real longest_relative_step(const real& tolerance) {
-    using std::sqrt;
     return std::min<real>(real(0.4), sqrt(sqrt(sqrt(tolerance))));
   }
   real smallest_step() const { return std::numeric_limits<real>::epsilon() * longest_step_ / 4; }

@@ -76,7 +76,6 @@ private:
       return std::size_t(0);
   }();
   static T root_of_joint(int joint) {
-    using std::sqrt;
     return T(sqrt(real(decltype(Reduced::crack)::joints[std::size_t(joint)])));
   }
 

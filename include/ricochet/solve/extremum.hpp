@@ -24,7 +24,6 @@ public:
   /// one and within this one.
   template <class Before, class Here>
   void step(const Real& h, const Real& value, const Before& before, const Here& here) {
-    using std::max;
     largest_ = max(largest_, value);
     if (now_ >= before_ && now_ >= value && last_h_ > 0) {
       const auto negative = [&](const Real& t) -> Real { return t < 0 ? -before(t + last_h_) : -here(t); };

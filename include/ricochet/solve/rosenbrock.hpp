@@ -9,16 +9,15 @@
 namespace ricochet::stepper {
 
 /// Coefficients of RODAS, six stages, order 4(3), stiffly accurate [Hairer & Wanner, Solving ODEs II, IV.7].
-template <class Real>
 struct rodas_coefficients {
-  static constexpr Real gamma{0.25L};
-  static constexpr Real a21{1.544L}, a31{0.9466785280815826L}, a32{0.2557011698983284L}, a41{3.314825187068521L},
-      a42{2.896124015972201L}, a43{0.9986419139977817L}, a51{1.221224509226641L}, a52{6.019134481288629L},
-      a53{12.53708332932087L}, a54{-0.6878860361058950L};
-  static constexpr Real c21{-5.6688L}, c31{-2.430093356833875L}, c32{-0.2063599157091915L}, c41{-0.1073529058151375L},
-      c42{-9.594562251023355L}, c43{-20.47028614809616L}, c51{7.496443313967647L}, c52{-10.24680431464352L},
-      c53{-33.99990352819905L}, c54{11.70890893206160L}, c61{8.083246795921522L}, c62{-7.981132988064893L},
-      c63{-31.52159432874371L}, c64{16.31930543123136L}, c65{-6.058818238834054L};
+  static constexpr double gamma{0.25};
+  static constexpr double a21{1.544}, a31{0.9466785280815826}, a32{0.2557011698983284}, a41{3.314825187068521},
+      a42{2.896124015972201}, a43{0.9986419139977817}, a51{1.221224509226641}, a52{6.019134481288629},
+      a53{12.53708332932087}, a54{-0.6878860361058950};
+  static constexpr double c21{-5.6688}, c31{-2.430093356833875}, c32{-0.2063599157091915}, c41{-0.1073529058151375},
+      c42{-9.594562251023355}, c43{-20.47028614809616}, c51{7.496443313967647}, c52{-10.24680431464352},
+      c53{-33.99990352819905}, c54{11.70890893206160}, c61{8.083246795921522}, c62{-7.981132988064893},
+      c63{-31.52159432874371}, c64{16.31930543123136}, c65{-6.058818238834054};
 };
 
 /// odeint's rosenbrock4, the L-stable method RODAS, on packed states and matrices of fixed size: odeint's own class is
@@ -30,12 +29,12 @@ struct rosenbrock4 {
     using state_type = typename Flow::state_type;
     using real = typename Flow::real;
     static constexpr int size = int(state_type::names::size);
-    static_assert(std::same_as<real, typename Flow::number>, "stepper::rosenbrock4 works on plain numbers only");
+    static_assert(std::same_as<double, typename Flow::number>, "stepper::rosenbrock4 works on double only");
     using vector = Eigen::Matrix<real, size, 1>;
     using matrix = Eigen::Matrix<real, size, size>;
     using model_type = std::remove_cvref_t<decltype(std::declval<Flow>().model)>;
     using dual_model = reduced_model<dual<real>, typename model_type::model_type>;
-    static constexpr std::size_t motion = model_type::free_edge ? 3 : 2; ///< unknowns that feed back
+    static constexpr int motion = model_type::free_edge ? 3 : 2; ///< unknowns that feed back
 
   public:
     method(const real& tolerance, const state_type& typical) : tolerance_(tolerance), typical_(typical) {}
@@ -53,7 +52,6 @@ struct rosenbrock4 {
 
     /// Rate at which the edge relaxes: |d(dy/d sigma)/dy|.
     real rate_of_edge(Flow& f, const state_type& x) {
-      using std::abs;
       differentiate(f, x);
       return abs(jacobian_(0, 0));
     }
@@ -64,8 +62,8 @@ struct rosenbrock4 {
       if (!known_)
         differentiate(f, x);
       known_ = true;
-      constexpr rodas_coefficients<real> c;
-      const Eigen::PartialPivLU<matrix> solver(matrix(matrix::Identity() / (c.gamma * h) - jacobian_));
+      constexpr rodas_coefficients c;
+      const linear_solver solver(jacobian_, 1 / (c.gamma * h));
       const auto slope = [&f](const vector& v) {
         state_type dx{};
         f(unpack(v), dx, real(0));
@@ -84,13 +82,33 @@ struct rosenbrock4 {
       return {unpack(near + g5 + error), unpack(error)};
     }
 
+    /// Solves (d I - J) g = r. Quadratures do not feed back, so that only the motion's own block has to be inverted.
+    struct linear_solver {
+      const matrix& J;
+      double d;
+      Eigen::Matrix<double, motion, motion> inverse;
+
+      linear_solver(const matrix& jacobian, double diagonal) : J(jacobian), d(diagonal) {
+        inverse = -J.template topLeftCorner<motion, motion>();
+        inverse.diagonal().array() += d;
+        inverse = inverse.inverse().eval();
+      }
+      vector solve(const vector& r) const {
+        vector g = r;
+        g.template head<motion>() = inverse * r.template head<motion>();
+        for (int i = motion; i < size; ++i)
+          g(i) = (r(i) + J.row(i).template head<motion>().dot(g.template head<motion>())) / d;
+        return g;
+      }
+    };
+
     /// The Jacobian by dual numbers; quadratures do not feed back, so only the motion's own unknowns are seeded.
     void differentiate(Flow& f, const state_type& x) {
       if (!dual_model_)
         dual_model_ = std::make_shared<const dual_model>(f.model);
       f(x, slope_, real(0));
       jacobian_.setZero();
-      for (std::size_t j = 0; j < motion; ++j) {
+      for (std::size_t j = 0; j < std::size_t(motion); ++j) {
         typename dual_model::state_type seeded_x{}, slope{};
         for (std::size_t i = 0; i < x.size(); ++i)
           seeded_x[i] = i == j ? seeded(x[i]) : dual<real>(x[i]);
@@ -125,8 +143,7 @@ struct automatic {
     using real = typename Flow::real;
     using smooth_method = fehlberg78::method<Flow>;
     using reduced_type = std::remove_cvref_t<decltype(std::declval<Flow>().model)>;
-    static constexpr bool can_be_stiff = reduced_type::free_edge && std::same_as<real, typename Flow::number> &&
-                                         std::numeric_limits<real>::digits <= 64;
+    static constexpr bool can_be_stiff = reduced_type::free_edge && std::same_as<double, typename Flow::number>;
     struct none {
       none(const real&, const state_type&) {}
     };
@@ -167,7 +184,6 @@ struct automatic {
 
   private:
     static real inverse_fourth_root(const real& x) {
-      using std::sqrt;
       return 1 / sqrt(sqrt(x));
     }
 

@@ -28,8 +28,6 @@ namespace odeint = boost::numeric::odeint;
 /// Largest error of a component over its typical size and the tolerance; infinite outside the domain.
 template <class State, class Real>
 Real error_norm(const State& error, const State& typical, const Real& tolerance, bool outside) {
-  using std::abs;
-  using std::isfinite;
   Real largest = 0;
   for (std::size_t i = 0; i < error.size(); ++i) {
     const Real relative = abs(value_of(error[i])) / (value_of(typical[i]) * tolerance);
@@ -43,8 +41,6 @@ Real error_norm(const State& error, const State& typical, const Real& tolerance,
 /// Step size from the error of the last one, for a method whose local error goes as h^order.
 template <class Real>
 Real resized(const Real& h, const Real& error, int order) {
-  using std::isfinite;
-  using std::pow;
   if (!isfinite(error))
     return h / 4;
   if (error <= Real(0))

@@ -27,7 +27,6 @@ struct jkr_law {
 
   /// c in delta = a^2/R - c sqrt(a) [K (8)].
   typename S::root_length flattening(const basic_pair<S>& pair) const {
-    using std::sqrt;
     return sqrt(number(2) * pi<number>() * work_of_adhesion / pair.reduced_modulus);
   }
 
@@ -49,8 +48,6 @@ struct jkr_law {
   /// Radius on the stable static branch at this approach (which is not below the fold's), by Newton's method from
   /// above, where delta(a) is convex.
   typename S::length contact_radius(const basic_pair<S>& pair, typename S::length approach) const {
-    using std::sqrt;
-    using std::abs;
     const typename S::root_length c = flattening(pair);
     typename S::length a = equilibrium_radius(pair);
     if (approach * pair.reduced_radius > a * a)

@@ -16,8 +16,6 @@ struct integrals {
 /// and where e^-alpha is below round-off the asymptotic one.
 template <class T>
 integrals<T> evaluate_integrals(const T& alpha) {
-  using std::exp;
-  using std::log;
   const T eps = std::numeric_limits<T>::epsilon();
   const T one = 1;
   if (alpha < one) {
@@ -95,8 +93,6 @@ point<T> closing(const T& alpha, const T& k) {
 /// alpha at which curve(alpha).ratio = Q, by Newton's method in log-log coordinates from a starting value; Q, alpha > 0.
 template <class T, class Curve>
 T invert(const Curve& curve, const T& Q, T alpha) {
-  using std::exp;
-  using std::log;
   for (int i = 0; i < 100; ++i) {
     const auto p = curve(alpha);
     T step = log(Q / p.ratio) * p.ratio / (alpha * p.slope);

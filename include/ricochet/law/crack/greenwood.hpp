@@ -51,7 +51,6 @@ struct greenwood_law {
 
   /// Piece 0 closes (k < beta < 1), piece 1 opens (1 < beta < 1/k).
   edge_rate<number> rate(const number& root_ratio, int piece) const {
-    using std::abs;
     const number k = modulus_ratio;
     const number excess = (root_ratio - number(1)) * (root_ratio + number(1)); // beta - 1
     const number distance = select<number>(

@@ -44,7 +44,6 @@ struct greenwood_fit_law {
   number first_ratio() const { return first_ratio_over_k * modulus_ratio; }
 
   edge_rate<number> rate(const number& root_ratio, int piece) const {
-    using std::log;
     const number one = 1, k = modulus_ratio;
     const number ratio = root_ratio * root_ratio;
     const number excess = (root_ratio - one) * (root_ratio + one);
@@ -69,8 +68,6 @@ struct greenwood_fit_law {
 private:
   /// (p x + q) x^n, odd in x so that it can be evaluated beyond its joint.
   static edge_rate<number> power(const number& x, const number& p, const number& q, const number& n) {
-    using std::abs;
-    using std::pow;
     const number size = select<number>(
         abs(x) > number(1e-30), [&] { return number(abs(x)); }, [] { return number(1e-30); });
     const number speed = (p * size + q) * pow(size, n);

@@ -22,7 +22,6 @@ struct tsuji_law {
   }
 
   typename S::damping coefficient(const basic_pair<S>& pair, const configuration<S>& c) const {
-    using std::sqrt;
     return damping_ratio * sqrt(number(4) * pair.reduced_mass * pair.reduced_modulus / number(3)) * c.root_radius;
   }
 };
