@@ -38,7 +38,8 @@ BOOST_AUTO_TEST_CASE(select_on_a_plain_condition_evaluates_one_side) {
   BOOST_TEST(ask(false) == 2.5);
   BOOST_TEST((yes == 1 && no == 1));
   // the sides may have other types than the result
-  static_assert(std::same_as<float, decltype(select<float>(true, [] { return 1; }, [] { return 2.0L; }))>);
+  static_assert(std::same_as<float, decltype(select<float>(
+                                        true, [] { return 1; }, [] { return 2.0L; }))>);
 }
 
 BOOST_AUTO_TEST_CASE(evaluate_calls_the_function) {

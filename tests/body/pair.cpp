@@ -81,5 +81,6 @@ BOOST_AUTO_TEST_CASE(wrong_bodies_are_named) {
   }
   sphere incompressible = ice;
   incompressible.solid.poissons_ratio = 0.5;
-  BOOST_CHECK_EXCEPTION(between(ice, incompressible), bad_input, says("second sphere: poissons_ratio", "0.5", "[0, 0.5)"));
+  BOOST_CHECK_EXCEPTION(between(ice, incompressible), bad_input,
+                        says("second sphere: poissons_ratio", "0.5", "[0, 0.5)"));
 }

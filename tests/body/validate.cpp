@@ -55,7 +55,8 @@ BOOST_AUTO_TEST_CASE(refusal_names_quantity_value_range_and_unit) {
   BOOST_TEST(refused(-3.0 * micrometres, positive) == "thing = -3e-06 m is outside (0, inf) m");
   BOOST_TEST(refused(0.0 * gigapascals, positive) == "thing = 0 Pa is outside (0, inf) Pa");
   BOOST_TEST(refused(-1.0 * joules_per_square_metre, non_negative) == "thing = -1 J/m^2 is outside [0, inf) J/m^2");
-  BOOST_TEST(refused(not_a_number * metres_per_second, positive).find("nan m/s is outside (0, inf) m/s") != std::string::npos);
+  BOOST_TEST(refused(not_a_number * metres_per_second, positive).find("nan m/s is outside (0, inf) m/s") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_an_invalid_argument) {

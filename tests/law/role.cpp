@@ -25,7 +25,8 @@ static_assert(!has_role<int> && !has_role<contact_pair> && !plays<int, role::ela
 
 static_assert(is_present<hertz> && is_present<greenwood> && !is_present<absent<role::crack>>);
 static_assert(needs_root_radius<jkr> && needs_root_radius<tsuji>);
-static_assert(!needs_root_radius<hertz> && !needs_root_radius<kuwabara_kono> && !needs_root_radius<absent<role::damping>>);
+static_assert(!needs_root_radius<hertz> && !needs_root_radius<kuwabara_kono> &&
+              !needs_root_radius<absent<role::damping>>);
 
 // A law in other numbers is the same law; where there is none, there is none.
 static_assert(std::same_as<jkr::in<reduced<float>>, jkr_law<reduced<float>>>);
@@ -51,7 +52,8 @@ BOOST_AUTO_TEST_CASE(rebinding_converts_every_parameter) {
 BOOST_AUTO_TEST_CASE(rebinding_shares_the_table) {
   greenwood law{.relaxation_time = seconds, .modulus_ratio = 0.1, .interaction_range = nanometres};
   law.tabulate();
-  const auto numbers = rebind_law<reduced<float>>(law, [](const auto& quantity) { return reduce<float>(quantity, {}); });
+  const auto numbers =
+      rebind_law<reduced<float>>(law, [](const auto& quantity) { return reduce<float>(quantity, {}); });
   BOOST_TEST(numbers.table == law.table);
   BOOST_TEST(law.table.use_count() == 2);
 }

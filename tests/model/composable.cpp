@@ -15,8 +15,8 @@ constexpr role_count legal[] = {
 
 bool is_legal(const role_count& n) {
   for (const role_count& each : legal)
-    if (each.elastic == n.elastic && each.adhesion == n.adhesion && each.crack == n.crack && each.damping == n.damping &&
-        each.end == n.end)
+    if (each.elastic == n.elastic && each.adhesion == n.adhesion && each.crack == n.crack &&
+        each.damping == n.damping && each.end == n.end)
       return true;
   return false;
 }

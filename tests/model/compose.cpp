@@ -7,8 +7,8 @@ using namespace support;
 
 namespace {
 
-const contact_pair pair = between(sphere{materials::water_ice, 2.0 * micrometres},
-                                  sphere{materials::water_ice, 2.0 * micrometres});
+const contact_pair pair =
+    between(sphere{materials::water_ice, 2.0 * micrometres}, sphere{materials::water_ice, 2.0 * micrometres});
 const std::tuple laws{hertz{}, jkr{0.74 * joules_per_square_metre},
                       greenwood_fit{.relaxation_time = 1e-11 * seconds, .interaction_range = 0.3 * nanometres},
                       kuwabara_kono{1.6e-10 * seconds}, energy_ledger{}};
@@ -55,7 +55,8 @@ BOOST_AUTO_TEST_CASE(any_order_gives_the_same_type_and_values) {
                   other.pair.reduced_mass == first.pair.reduced_mass));
     };
     (same(composed<N>()), ...);
-  }(std::make_index_sequence<120>());
+  }
+  (std::make_index_sequence<120>());
   BOOST_TEST(in_si(first.damping.bulk_time) == 1.6e-10);
 }
 

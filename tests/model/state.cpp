@@ -13,7 +13,8 @@ using three = state<double, names>;
 static_assert(names::size == 3 && names::contains<bulk_loss_t> && !names::contains<crack_loss_t>);
 static_assert(names::index_of<approach_rate_t>() == 0 && names::index_of<bulk_loss_t>() == 2);
 static_assert(std::same_as<join<>, variables<>>);
-static_assert(std::same_as<join<variables<approach_rate_t>, variables<>, variables<contact_radius_t, bulk_loss_t>>, names>);
+static_assert(
+    std::same_as<join<variables<approach_rate_t>, variables<>, variables<contact_radius_t, bulk_loss_t>>, names>);
 static_assert(std::same_as<optionally<crack_loss_t, true>, variables<crack_loss_t>>);
 static_assert(std::same_as<optionally<crack_loss_t, false>, variables<>>);
 static_assert(sizeof(three) == 3 * sizeof(double)); // packed
@@ -75,7 +76,7 @@ BOOST_AUTO_TEST_CASE(a_scene_pays_only_for_what_is_in_it) {
   const auto all = [](const scene& s) {
     return viscoelastic_jkr(s, energy_ledger{}, contact_duration{}, extremes{}, trajectory{});
   };
-  constexpr bool last = has_exactly<root, rate, mutual_approach_t, elapsed_time_t, bulk_loss_t, crack_loss_t>(
-      model_of<decltype(all)>{});
+  constexpr bool last =
+      has_exactly<root, rate, mutual_approach_t, elapsed_time_t, bulk_loss_t, crack_loss_t>(model_of<decltype(all)>{});
   BOOST_TEST(last);
 }

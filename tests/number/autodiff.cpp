@@ -14,8 +14,8 @@ namespace {
 
 double deviation(double found, double expected) { return std::abs(found / expected - 1); }
 
-/// de/dp of a collision at this speed by dual numbers, and by central differences in 50 digits. `parameter(model, speed)`
-/// is a reference to p.
+/// de/dp of a collision at this speed by dual numbers, and by central differences in 50 digits. `parameter(model,
+/// speed)` is a reference to p.
 template <class Model, class Parameter>
 std::pair<double, double> derivative_of_restitution(const Model& model, speed v, const Parameter& parameter) {
   const scales unit = model.scales_at(v);

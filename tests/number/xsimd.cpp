@@ -25,8 +25,9 @@ contact_numbers<Pack> gathered(std::size_t first, std::vector<contact_numbers<ty
     return Pack::load_unaligned(values.data());
   };
   using n = contact_numbers<T>;
-  return {pack(&n::modulus),  pack(&n::radius_of_bodies), pack(&n::mass),   pack(&n::work_of_adhesion),
-          pack(&n::approach), pack(&n::rate),             pack(&n::radius), pack(&n::root_ratio)};
+  return {pack(&n::modulus),          pack(&n::radius_of_bodies), pack(&n::mass),
+          pack(&n::work_of_adhesion), pack(&n::approach),         pack(&n::rate),
+          pack(&n::radius),           pack(&n::root_ratio)};
 }
 
 } // namespace

@@ -18,13 +18,21 @@ using with_trajectory = outcome<requests{.trajectory = true}>;
 using with_all = outcome<requests{true, true, true, true}>;
 
 template <class T>
-concept has_ledger = requires(T x) { x.crack_loss, x.bulk_loss, x.remaining_energy, x.ledger_residual; };
+concept has_ledger = requires(T x) {
+  x.crack_loss, x.bulk_loss, x.remaining_energy, x.ledger_residual;
+};
 template <class T>
-concept has_duration = requires(T x) { x.contact_duration; };
+concept has_duration = requires(T x) {
+  x.contact_duration;
+};
 template <class T>
-concept has_extremes = requires(T x) { x.max_approach, x.max_contact_radius, x.max_tension, x.max_compression; };
+concept has_extremes = requires(T x) {
+  x.max_approach, x.max_contact_radius, x.max_tension, x.max_compression;
+};
 template <class T>
-concept has_trajectory = requires(T x) { x.trajectory.time, x.trajectory.bulk_loss; };
+concept has_trajectory = requires(T x) {
+  x.trajectory.time, x.trajectory.bulk_loss;
+};
 
 // What was not asked for is not there, and what was is.
 static_assert(!has_ledger<plain> && !has_duration<plain> && !has_extremes<plain> && !has_trajectory<plain>);

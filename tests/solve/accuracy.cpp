@@ -1,8 +1,7 @@
 // Achieved error against requested tolerance and against the error estimate, over random collisions of every instance.
 // RICOCHET_SCENES sets their number (1000 for instances without a crack law, a tenth of it with one, unless given);
 // the reference is the long double solution at a step tolerance of 1e-17.
-#define BOOST_TEST_MODULE solve_accuracy
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "support/random_scenes.hpp"
 

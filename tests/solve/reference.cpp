@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE solve_reference
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "support/reference_rows.hpp"
 

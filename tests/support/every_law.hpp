@@ -20,8 +20,9 @@ struct contact_numbers {
 
   template <class Other, class Convert>
   contact_numbers<Other> in(const Convert& convert) const {
-    return {convert(modulus),  convert(radius_of_bodies), convert(mass),   convert(work_of_adhesion),
-            convert(approach), convert(rate),             convert(radius), convert(root_ratio)};
+    return {convert(modulus),          convert(radius_of_bodies), convert(mass),
+            convert(work_of_adhesion), convert(approach),         convert(rate),
+            convert(radius),           convert(root_ratio)};
   }
 };
 
@@ -33,7 +34,8 @@ inline std::vector<contact_numbers<double>> contacts() {
   for (const double ratio : {0.03, 0.1, 0.28, 0.31, 0.8, 1.2, 3., 3.8, 20., 40.}) {
     const double a = 0.7 + 0.13 * (i % 5), R = 1.7 - 0.1 * i;
     const double part = i % 3 == 0 ? -0.8 : i % 3 == 1 ? 0.6 : 0.1;
-    result.push_back({0.8 + 0.05 * i, R, 1.1, 0.3 + 0.1 * i, part * a * a / R, i % 2 ? -0.4 : 0.9, a, std::sqrt(ratio)});
+    result.push_back(
+        {0.8 + 0.05 * i, R, 1.1, 0.3 + 0.1 * i, part * a * a / R, i % 2 ? -0.4 : 0.9, a, std::sqrt(ratio)});
     ++i;
   }
   return result;

@@ -1,7 +1,7 @@
 #pragma once
-#include <algorithm>
+#include <ricochet/number.hpp>
+
 #include <cstdint>
-#include <limits>
 
 #include <boost/math/tools/minima.hpp>
 

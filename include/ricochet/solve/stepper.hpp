@@ -45,7 +45,7 @@ Real resized(const Real& h, const Real& error, int order) {
     return h / 4;
   if (error <= Real(0))
     return h * 5;
-  return h * std::clamp<Real>(Real(0.9) * pow(error, Real(-1) / order), Real(0.1), Real(5));
+  return h * std::clamp<Real>(Real(0.9) * pow(error, Real(-1) / Real(order)), Real(0.1), Real(5));
 }
 
 /// Any explicit odeint stepper with an error estimate: template arguments as runge_kutta_dopri5.

@@ -58,9 +58,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(axioms_over_random_pairs, Law, adhesion_laws) {
     const basic_pair<S> pair{random(), random(), 1};
     const typename Law::template in<S> law{random()};
     const double c = law.flattening(pair), fold = law.fold_radius(pair);
-    const auto static_approach = [&](double a) {
-      return hertz_law<S>::load_free_approach(pair, a) - c * std::sqrt(a);
-    };
+    const auto static_approach = [&](double a) { return hertz_law<S>::load_free_approach(pair, a) - c * std::sqrt(a); };
     const auto potential = [&](double a, double approach) {
       return hertz_law<S>::stored_energy(pair, {approach, 0, a, 0}) + law.surface_energy(a);
     };

@@ -14,15 +14,13 @@ namespace {
 using D = dual<>;
 using S = reduced<D>;
 
-const contact_pair ice = between(sphere{materials::water_ice, 2.0 * micrometres},
-                                 sphere{materials::water_ice, 2.0 * micrometres});
+const contact_pair ice =
+    between(sphere{materials::water_ice, 2.0 * micrometres}, sphere{materials::water_ice, 2.0 * micrometres});
 const double E = in_si(ice.reduced_modulus), R = in_si(ice.reduced_radius), w = 0.74, pi_ = pi<double>();
 const basic_pair<S> pair{D(E), D(R), D(in_si(ice.reduced_mass))};
 const jkr_law<S> law{D(w)};
 
-D static_approach(const D& a) {
-  return hertz_law<S>::load_free_approach(pair, a) - law.flattening(pair) * sqrt(a);
-}
+D static_approach(const D& a) { return hertz_law<S>::load_free_approach(pair, a) - law.flattening(pair) * sqrt(a); }
 D static_force(const D& a) { return hertz_law<S>::force(pair, {static_approach(a), D(0), a, D(0)}); }
 
 bool same(double a, double b, double within = 4e-15) { return std::abs(a / b - 1) < within; } // two dozen roundings

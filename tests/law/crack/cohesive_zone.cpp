@@ -130,6 +130,7 @@ BOOST_AUTO_TEST_CASE(inversion) {
       const auto curve = [k](double a) { return zone::closing<double>(a, k); };
       // 1e-12: a dozen ulp over the slope d ln Q/d ln alpha, which is above 0.1
       BOOST_TEST(deviation(zone::invert(curve, curve(alpha).ratio, 10 * alpha), alpha) < 1e-12);
-      BOOST_TEST(deviation(zone::invert(zone::opening<double>, zone::opening(alpha).ratio, 0.1 * alpha), alpha) < 1e-12);
+      BOOST_TEST(deviation(zone::invert(zone::opening<double>, zone::opening(alpha).ratio, 0.1 * alpha), alpha) <
+                 1e-12);
     }
 }

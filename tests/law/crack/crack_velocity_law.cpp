@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(speed_scale) {
   const contact_pair pair{3e9 * pascals, 1e-6 * metres, 1e-14 * kilograms};
   const greenwood law{1e-11 * seconds, 0.02, 0.3 * nanometres};
   const greenwood_fit other{.relaxation_time = 1e-11 * seconds, .interaction_range = 0.3 * nanometres};
-  const double expected = 3e9 * 0.3e-9 * 0.3e-9 / (0.74 * 1e-11); // E z0^2/(w T)
+  const double expected = 3e9 * 0.3e-9 * 0.3e-9 / (0.74 * 1e-11);                               // E z0^2/(w T)
   const auto same = [&](speed found) { return std::abs(in_si(found) / expected - 1) < 1e-15; }; // four roundings
   BOOST_TEST(same(law.speed_scale(pair, 0.74 * joules_per_square_metre)));
   BOOST_TEST(same(other.speed_scale(pair, 0.74 * joules_per_square_metre)));

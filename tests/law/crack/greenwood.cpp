@@ -11,6 +11,7 @@ using namespace ricochet::units;
 
 namespace {
 
+using fine = multiprecise<50>;
 constexpr double modulus_ratios[] = {1e-4, 1e-3, 0.02, 0.1, 0.5, 0.9, 0.98};
 
 template <class T = double>
@@ -85,7 +86,6 @@ BOOST_AUTO_TEST_CASE(reference_values) {
 }
 
 BOOST_AUTO_TEST_CASE(fifty_digits_against_the_table) {
-  using fine = multiprecise<50>;
   for (const double k : modulus_ratios) {
     const auto table = exact(k);
     const auto inversion = exact<fine>(k);
@@ -105,31 +105,17 @@ BOOST_AUTO_TEST_CASE(fifty_digits_against_the_table) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(fifty_digits_solve_the_formula) {
-  using fine = multiprecise<50>;
-  const fine k = 0.1;
-  const auto law = exact<fine>(0.1);
-  for (const double alpha : {1e-3, 0.5, 3., 200.}) {
-    const auto p = cohesive_zone::closing<fine>(fine(alpha), k);
-    const auto edge = law.rate(sqrt(fine((k + p.ratio) / (1 + p.ratio))), 0);
-    // 50 digits less what 1 - beta and the Newton iteration's last step cost
-    BOOST_TEST(static_cast<double>(abs(edge.slowness / p.slowness - 1)) < 1e-44);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(runs_on_through_the_ends_of_its_range) {
   for (const double k : modulus_ratios) {
     const auto law = exact(k);
     const auto beyond = [k](double part) { return std::sqrt((1 + part * (1 - k)) / k); };
     BOOST_TEST(law.rate(beyond(-1e-6), 1).slowness > 0);
     BOOST_TEST(law.rate(beyond(1e-6), 1).slowness < 0); // the event of letting go needs a sign
-    BOOST_TEST(law.rate(beyond(0.1), 1).slowness < law.rate(beyond(1e-6), 1).slowness);
     BOOST_TEST(law.rate(std::sqrt(k) * 0.999, 0).slowness < 0);
   }
 }
 
 BOOST_AUTO_TEST_CASE(fifty_digits_run_on_through_the_ends_like_the_table) {
-  using fine = multiprecise<50>;
   for (const double k : modulus_ratios)
     for (const double root : {std::sqrt(k) * 0.9999, 1.0001 / std::sqrt(k)}) {
       const int piece = root < 1 ? 0 : 1;
@@ -139,32 +125,27 @@ BOOST_AUTO_TEST_CASE(fifty_digits_run_on_through_the_ends_like_the_table) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_table_is_made_once_and_shared) {
+BOOST_AUTO_TEST_CASE(a_table_is_made_once_and_shared_for_the_same_modulus_ratio) {
   greenwood one{seconds, 0.1, metres};
   one.tabulate();
   BOOST_TEST_REQUIRE(one.table);
   const auto made = one.table;
   one.tabulate();
   BOOST_TEST(one.table == made);
-  greenwood other{.relaxation_time = 2.0 * seconds, .modulus_ratio = 0.1, .interaction_range = metres, .table = made};
-  other.tabulate();
-  BOOST_TEST(other.table == made);
-}
-
-BOOST_AUTO_TEST_CASE(a_table_of_another_modulus_ratio_is_refused) {
-  greenwood law{.modulus_ratio = 0.2, .table = std::make_shared<const greenwood_table>(0.1)};
-  BOOST_CHECK_EXCEPTION(law.tabulate(), bad_input, [](const bad_input& e) {
+  greenwood other{.modulus_ratio = 0.2, .table = made};
+  BOOST_CHECK_EXCEPTION(other.tabulate(), bad_input, [](const bad_input& e) {
     const std::string what = e.what();
     return what.find("modulus_ratio = 0.1") != std::string::npos && what.find("0.2") != std::string::npos;
   });
+  other.modulus_ratio = 0.1;
+  other.tabulate();
+  BOOST_TEST(other.table == made);
 }
 
 BOOST_AUTO_TEST_CASE(modulus_ratios_outside_the_supported_range_are_refused) {
   for (const double k : {0., 0.99e-4, 0.981, 1., 1.5, -0.02, std::nan("")})
     BOOST_CHECK_EXCEPTION(validate_law(greenwood{seconds, k, metres}), bad_input, [](const bad_input& e) {
-      return std::string(e.what()).find("modulus_ratio = ") == 0 &&
-             std::string(e.what()).find("[0.0001, 0.98]") != std::string::npos;
+      const std::string what = e.what();
+      return what.starts_with("modulus_ratio = ") && what.ends_with(" is outside [0.0001, 0.98]");
     });
-  BOOST_CHECK_NO_THROW(validate_law(greenwood{seconds, 1e-4, metres}));
-  BOOST_CHECK_NO_THROW(validate_law(greenwood{seconds, 0.98, metres}));
 }

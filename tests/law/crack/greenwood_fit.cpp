@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(the_jumps_at_the_joints) {
 
 BOOST_AUTO_TEST_CASE(pieces_run_on_beyond_their_joints) {
   for (const double beyond : {0.01, 0.05}) { // what a step may overshoot by
-    BOOST_TEST(speed_of(1 + beyond, 1) < 0);    // odd continuation: no kink of the sign
+    BOOST_TEST(speed_of(1 + beyond, 1) < 0); // odd continuation: no kink of the sign
     BOOST_TEST(speed_of(1 - beyond, 2) > 0);
     BOOST_TEST(std::isfinite(speed_of(0.29 + beyond, 0)));
     BOOST_TEST(std::isfinite(speed_of(3.7 - beyond, 3)));
@@ -84,11 +84,13 @@ BOOST_AUTO_TEST_CASE(distance_from_the_exact_law) {
   double closing = 0, opening = 0;
   for (double alpha = 1e-6; alpha < 1e6; alpha *= 1.05) {
     const auto shut = cohesive_zone::closing<double>(alpha, k);
-    const double healing = ratio_at(1 / shut.slowness, k, 1, [](double b) { return b < 0.29 ? fast_closing(b) : slow_closing(b); });
+    const double healing =
+        ratio_at(1 / shut.slowness, k, 1, [](double b) { return b < 0.29 ? fast_closing(b) : slow_closing(b); });
     closing = std::max(closing, std::abs(healing * (1 + shut.ratio) / (k + shut.ratio) - 1));
     const auto open = cohesive_zone::opening<double>(alpha);
     const double beta = (1 + open.ratio) / (k + open.ratio);
-    const double peeling = ratio_at(pi_ * beta / open.slowness, 1, 1 / k, [](double b) { return b > 3.7 ? fast_opening(b) : slow_opening(b); });
+    const double peeling = ratio_at(pi_ * beta / open.slowness, 1, 1 / k,
+                                    [](double b) { return b > 3.7 ? fast_opening(b) : slow_opening(b); });
     opening = std::max(opening, std::abs(peeling / beta - 1));
   }
   BOOST_TEST_MESSAGE("off in beta: closing " << closing << ", opening " << opening);

@@ -28,7 +28,8 @@ BOOST_AUTO_TEST_CASE(published_form_at_the_hertzian_radius) {
   for (const double approach : {1e-10, 4e-8}) {
     const double a = std::sqrt(1e-6 * approach);
     const configuration<dimensional> c{approach * metres, 2.0 * metres_per_second, a * metres, {}};
-    // F_D = 2 A E* sqrt(R delta) rate [K (19)]; that is A times the rate of the elastic force, (3/2)A rho sqrt(delta) rate
+    // F_D = 2 A E* sqrt(R delta) rate [K (19)]; that is A times the rate of the elastic force, (3/2)A rho sqrt(delta)
+    // rate
     const double rho = 4. / 3 * 3e9 * std::sqrt(1e-6);
     BOOST_TEST(same(in_si(law.coefficient(pair, c)) * 2, 2 * 1e-10 * 3e9 * std::sqrt(1e-6 * approach) * 2));
     BOOST_TEST(same(in_si(law.coefficient(pair, c)), 1.5 * 1e-10 * rho * std::sqrt(approach)));

@@ -66,7 +66,8 @@ struct random_contact {
 /// Moduli, radii and contact radii over decades, in tension and in compression.
 random_contact next(std::mt19937_64& generator) {
   std::uniform_real_distribution<> decade(-3, 3), part(-2, 2);
-  const double E = std::pow(10, decade(generator)), R = std::pow(10, decade(generator)), a = std::pow(10, decade(generator));
+  const double E = std::pow(10, decade(generator)), R = std::pow(10, decade(generator)),
+               a = std::pow(10, decade(generator));
   const double flat = a * a / R, approach = flat * part(generator);
   return {{D(E), D(R), D(1)}, approach, a, flat + std::abs(approach)};
 }
@@ -109,8 +110,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(load_free_edge_releases_no_energy, Law, elastic_la
   for (int i = 0; i < 1000; ++i) {
     const auto at = next(generator);
     const D approach = law.load_free_approach(at.pair, seeded(at.radius));
-    const double rate =
-        value_of(law.energy_release_rate(at.pair, {D(value_of(approach)), D(0), D(at.radius), D(0)}));
+    const double rate = value_of(law.energy_release_rate(at.pair, {D(value_of(approach)), D(0), D(at.radius), D(0)}));
     const double free = value_of(approach), E = value_of(at.pair.reduced_modulus);
     BOOST_TEST_REQUIRE(std::abs(rate) <= rounding * rounding * E * free * free / at.radius); // a square
     const double slope = value_of(law.load_free_slope(at.pair, D(at.radius)));

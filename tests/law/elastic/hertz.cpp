@@ -9,8 +9,8 @@ using namespace ricochet::units;
 
 namespace {
 
-const contact_pair pair = between(sphere{materials::water_ice, 2.0 * micrometres},
-                                  sphere{materials::water_ice, 2.0 * micrometres});
+const contact_pair pair =
+    between(sphere{materials::water_ice, 2.0 * micrometres}, sphere{materials::water_ice, 2.0 * micrometres});
 const double E = in_si(pair.reduced_modulus), R = in_si(pair.reduced_radius);
 
 configuration<dimensional> at(double approach, double radius) {
