@@ -30,16 +30,14 @@ void time_of(const std::string& name, const Model& model) {
       }
       state.counters["evaluations"] = evaluations;
     };
-    benchmark::RegisterBenchmark((name + "/1e-" + std::to_string(digits)).c_str(), run)
-        ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark((name + "/1e-" + std::to_string(digits)).c_str(), run)->Unit(benchmark::kMicrosecond);
   }
 }
 } // namespace
 
 int main(int argc, char** argv) {
-  const material ice{.youngs_modulus = 7.0 * gigapascals,
-                     .poissons_ratio = 0.25,
-                     .mass_density = 1000.0 * kilograms_per_cubic_metre};
+  const material ice{
+      .youngs_modulus = 7.0 * gigapascals, .poissons_ratio = 0.25, .mass_density = 1000.0 * kilograms_per_cubic_metre};
   const sphere grain{ice, 2.0 * micrometres};
   const contact_pair pair = between(grain, grain);
   const duration relaxation_time = 1e-11 * seconds;

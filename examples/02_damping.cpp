@@ -1,7 +1,8 @@
 // 02 Damping (builds on 01): a viscous bulk, and where its contact ends.
 //
 // A contact without adhesion cannot pull, so it ends where the force vanishes, before the overlap does; many published
-// constants let it pull until the overlap is gone. The difference grows with the damping. The ledger says what was lost.
+// constants let it pull until the overlap is gone. The difference grows with the damping. The ledger says what was
+// lost.
 //
 // Try next: hunt_crossley{...} or tsuji{...} in place of kuwabara_kono{...}.
 #include <ricochet/collide.hpp>

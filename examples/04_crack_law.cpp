@@ -31,9 +31,8 @@ int main() {
   const auto exact = compose(
       pair, hertz{}, adhesive, viscous,
       greenwood{.relaxation_time = relaxation_time, .modulus_ratio = 0.02, .interaction_range = 0.3 * nanometres});
-  const auto fitted =
-      compose(pair, hertz{}, adhesive, viscous,
-              greenwood_fit{.relaxation_time = relaxation_time, .interaction_range = 0.3 * nanometres});
+  const auto fitted = compose(pair, hertz{}, adhesive, viscous,
+                              greenwood_fit{.relaxation_time = relaxation_time, .interaction_range = 0.3 * nanometres});
 
   const auto show = [&](const char* law, const auto& model) {
     const auto out = collide(model, impact{.speed = v}, {.tolerance = 1e-10});

@@ -16,8 +16,8 @@ template <class S>
 struct dashpot_law {
   using role = ricochet::role::damping;
   using number = typename S::number;
-  typename S::damping constant{};     ///< c, N s/m
-  typename S::length touch_radius{};  ///< a0, m
+  typename S::damping constant{};    ///< c, N s/m
+  typename S::length touch_radius{}; ///< a0, m
 
   template <class Other>
   using in = dashpot_law<Other>;

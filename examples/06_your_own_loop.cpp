@@ -1,8 +1,8 @@
 // 06 Your own loop (builds on 04): the equations as an ordinary odeint System, in metres and seconds.
 //
 // Whoever wants another integrator, other events or another end of contact takes physical_system and any odeint loop.
-// In time, the edge's speed is unbounded at both ends of the contact: the loop has to choose its first and longest step,
-// to reject states outside the equations' domain and to say when to stop, and it knows nothing of its error.
+// In time, the edge's speed is unbounded at both ends of the contact: the loop has to choose its first and longest
+// step, to reject states outside the equations' domain and to say when to stop, and it knows nothing of its error.
 //
 // Try next: another stepper; stop later (a smaller `left`) and watch e approach that of collide().
 #include <ricochet/collide.hpp>
@@ -16,8 +16,8 @@
 #include <cstdio>
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/generation/make_controlled.hpp>
 #include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/generation/make_controlled.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 int main() {
@@ -27,10 +27,10 @@ int main() {
   const sphere grain{.solid = materials::water_ice, .radius = 2.0 * micrometres};
   const duration relaxation_time = 1e-11 * seconds;
   const double k = 0.02;
-  const auto model = compose(
-      between(grain, grain), hertz{}, jkr{.work_of_adhesion = work_of_adhesion(grain.solid, grain.solid)},
-      greenwood{.relaxation_time = relaxation_time, .modulus_ratio = k, .interaction_range = 0.3 * nanometres},
-      kuwabara_kono{.bulk_time = bulk_time_of_krijt(relaxation_time, 0.25)});
+  const auto model =
+      compose(between(grain, grain), hertz{}, jkr{.work_of_adhesion = work_of_adhesion(grain.solid, grain.solid)},
+              greenwood{.relaxation_time = relaxation_time, .modulus_ratio = k, .interaction_range = 0.3 * nanometres},
+              kuwabara_kono{.bulk_time = bulk_time_of_krijt(relaxation_time, 0.25)});
   const speed v = 8.0 * metres_per_second;
 
   // [loop]

@@ -15,13 +15,10 @@ int main() {
   const sphere grain{.solid = materials::water_ice, .radius = 2.0 * micrometres};
   const duration relaxation_time = 1e-11 * seconds;
 
-  const auto model = compose(between(grain, grain), hertz{},
-                             jkr{.work_of_adhesion = work_of_adhesion(grain.solid, grain.solid)},
-                             greenwood{.relaxation_time = relaxation_time,
-                                       .modulus_ratio = 0.02,
-                                       .interaction_range = 0.3 * nanometres},
-                             kuwabara_kono{.bulk_time = bulk_time_of_krijt(relaxation_time, 0.25)},
-                             energy_ledger{}, contact_duration{});
+  const auto model = compose(
+      between(grain, grain), hertz{}, jkr{.work_of_adhesion = work_of_adhesion(grain.solid, grain.solid)},
+      greenwood{.relaxation_time = relaxation_time, .modulus_ratio = 0.02, .interaction_range = 0.3 * nanometres},
+      kuwabara_kono{.bulk_time = bulk_time_of_krijt(relaxation_time, 0.25)}, energy_ledger{}, contact_duration{});
 
   const auto out = collide(model, impact{.speed = 8.0 * metres_per_second});
 

@@ -61,8 +61,7 @@ std::vector<curve> draw_all(const std::vector<speed>& speeds) {
   curves.push_back(draw("hertz+kuwabara_kono", compose(pair, hertz{}, viscous), speeds));
   curves.push_back(draw("hertz+jkr", compose(pair, hertz{}, adhesive), speeds));
   curves.push_back(draw("hertz+jkr+kuwabara_kono", compose(pair, hertz{}, adhesive, viscous), speeds));
-  curves.push_back(
-      draw("hertz+jkr+greenwood+kuwabara_kono", compose(pair, hertz{}, adhesive, exact, viscous), speeds));
+  curves.push_back(draw("hertz+jkr+greenwood+kuwabara_kono", compose(pair, hertz{}, adhesive, exact, viscous), speeds));
   curves.push_back(
       draw("hertz+jkr+greenwood_fit+kuwabara_kono", compose(pair, hertz{}, adhesive, fitted, viscous), speeds));
   curve independent{"independent_losses", {}, 0}; // [K (27)]: adhesion and viscosity each for itself

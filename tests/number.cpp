@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE number
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <ricochet/number.hpp>
 

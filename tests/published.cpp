@@ -43,9 +43,7 @@ const std::map<std::string, std::function<double()>> ours{
     {"Tabor parameter",
      [] { return closed_form::tabor_number(ice.pair, ice.adhesive.work_of_adhesion, ice.interaction_range); }},
     {"restitution e_JKR",
-     [] {
-       return *closed_form::restitution(ice.pair, ice.adhesive.work_of_adhesion, 4.0 * metres_per_second);
-     }},
+     [] { return *closed_form::restitution(ice.pair, ice.adhesive.work_of_adhesion, 4.0 * metres_per_second); }},
     {"restitution e_A at T_vis 1e-14 s",
      [] {
        auto edge = ice.fitted();
@@ -110,7 +108,8 @@ BOOST_AUTO_TEST_CASE(numbers_of_krijt_2013) {
 BOOST_AUTO_TEST_CASE(ice_at_two_metres_per_second_sticks_and_its_contact_radius_jumps_to_a_tenth_of_a_micrometre) {
   const auto stuck = collide(full_model(), impact{2.0 * metres_per_second});
   BOOST_TEST(name_of(stuck.ending) == "captured");
-  // [K 3.1]: "its radius increases to ~0.1 um with delta hardly changing": where delta reaches a hundredth of its largest
+  // [K 3.1]: "its radius increases to ~0.1 um with delta hardly changing": where delta reaches a hundredth of its
+  // largest
   const auto& t = out.trajectory;
   std::size_t i = 0;
   while (t.mutual_approach[i] < 0.01 * in_si(out.max_approach))

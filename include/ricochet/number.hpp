@@ -64,12 +64,12 @@ T evaluate(const F& f, const T& x) {
 }
 
 template <class T>
-constexpr T square(const T& x) {
+constexpr auto square(const T& x) {
   return x * x;
 }
 
 template <class T>
-constexpr T cube(const T& x) {
+constexpr auto cube(const T& x) {
   return x * x * x;
 }
 

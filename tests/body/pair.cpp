@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE body_pair
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <ricochet/body/materials.hpp>
 #include <ricochet/body/pair.hpp>

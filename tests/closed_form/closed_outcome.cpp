@@ -25,8 +25,7 @@ void agrees(const Compose& compose_scene) {
       BOOST_TEST(std::abs(closed.restitution.value_or(0) - solved.restitution.value_or(0)) <=
                  solved.error_estimate + closed.error_estimate);
       if (closed.restitution)
-        BOOST_TEST(double(closed.contact_duration / solved.contact_duration) == 1,
-                   boost::test_tools::tolerance(1e-8));
+        BOOST_TEST(double(closed.contact_duration / solved.contact_duration) == 1, boost::test_tools::tolerance(1e-8));
     }
   }
 }

@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE law_role
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <ricochet/body/materials.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>

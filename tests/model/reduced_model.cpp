@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE model_reduced_model
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include "support/random_scenes.hpp"
 

@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE outcome_outcome
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <ricochet/outcome/outcome.hpp>
 #include <ricochet/units.hpp>

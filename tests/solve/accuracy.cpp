@@ -65,8 +65,8 @@ void check(const Compose& compose_scene, std::size_t count, unsigned seed) {
     }
     std::nth_element(ratios.begin(), ratios.begin() + std::ptrdiff_t(ratios.size() / 2), ratios.end());
     const double median = ratios[ratios.size() / 2];
-    const auto beyond = std::count_if(found[t].begin(), found[t].end(),
-                                      [&](const deviation& d) { return d.estimate > tolerances[t]; });
+    const auto beyond =
+        std::count_if(found[t].begin(), found[t].end(), [&](const deviation& d) { return d.estimate > tolerances[t]; });
     BOOST_TEST_MESSAGE("tolerance " << tolerances[t] << ": largest error " << worst << ", median estimate/error "
                                     << median << ", estimates beyond the tolerance " << beyond);
     BOOST_TEST(median <= 30);

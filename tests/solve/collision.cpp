@@ -26,7 +26,9 @@ BOOST_AUTO_TEST_CASE(the_error_is_proportional_to_the_step_tolerance) {
 }
 
 BOOST_AUTO_TEST_CASE(work_stays_in_proportion_to_accuracy) {
-  const auto evaluations = [](const auto& model, double tolerance) { return solve_once(model, 8, tolerance).evaluations; };
+  const auto evaluations = [](const auto& model, double tolerance) {
+    return solve_once(model, 8, tolerance).evaluations;
+  };
   const auto viscous = compose(ice.pair, hertz{}, ice.viscous);
   const auto crack = compose(ice.pair, hertz{}, ice.adhesive, ice.exact(ice.relaxation_time), ice.viscous);
   BOOST_TEST(evaluations(viscous, 1e-6) < 700); // 490 when written
@@ -44,8 +46,8 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_is_unresolved_and_says_so) {
 }
 
 BOOST_AUTO_TEST_CASE(an_edge_held_at_a_joint_of_the_fits_slides_along_it) {
-  // At 0.29 and 3.7 the fits jump; where both sides push beta back the edge is held there. Without that, steps shrink to
-  // nothing. Speeds are scanned so that some stay long at a joint.
+  // At 0.29 and 3.7 the fits jump; where both sides push beta back the edge is held there. Without that, steps shrink
+  // to nothing. Speeds are scanned so that some stay long at a joint.
   const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.fitted(), ice.viscous);
   for (double v = 3.6; v < 60; v *= 1.07) {
     const auto out = solve_once(model, v, 1e-9);
@@ -62,7 +64,8 @@ BOOST_AUTO_TEST_CASE(float_and_long_double_solve_too) {
   const double exact = *integrate(model, impact{8.0 * metres_per_second}, {.tolerance = 1e-12}).restitution;
   const reduced_model<float, std::remove_const_t<decltype(model)>> single(model, unit);
   collision<std::remove_const_t<decltype(single)>, stepper::fehlberg78> in_float(single, 1e-5f, 1'000'000);
-  BOOST_TEST(std::abs(static_cast<double>(*in_float.solve(1.0f).restitution) - exact) < 1e-5); // float's round-off, summed
+  BOOST_TEST(std::abs(static_cast<double>(*in_float.solve(1.0f).restitution) - exact) <
+             1e-5); // float's round-off, summed
   const reduced_model<long double, std::remove_const_t<decltype(model)>> wide(model, unit);
   collision<std::remove_const_t<decltype(wide)>, stepper::fehlberg78> in_long_double(wide, 1e-16L, 1'000'000);
   BOOST_TEST(std::abs(static_cast<double>(*in_long_double.solve(1.0L).restitution) - exact) < 1e-12);

@@ -33,8 +33,8 @@ BOOST_AUTO_TEST_CASE(undamped_jkr_between_the_energy_of_touch_and_the_sticking_s
 }
 
 BOOST_AUTO_TEST_CASE(contact_lost_while_still_approaching_is_no_bounce) {
-  // Ice case, fits: from 3.4727 to 3.5661 m/s the edge lets go after the bodies have turned around again; they fly, touch
-  // a second time and stick (theory: a result e < 0 or "bounced" there is wrong).
+  // Ice case, fits: from 3.4727 to 3.5661 m/s the edge lets go after the bodies have turned around again; they fly,
+  // touch a second time and stick (theory: a result e < 0 or "bounced" there is wrong).
   const auto model =
       compose(ice.pair, hertz{}, ice.adhesive, ice.fitted(), ice.viscous, energy_ledger{}, contact_duration{});
   const auto contacts_at = [&](double v) {
@@ -55,7 +55,8 @@ BOOST_AUTO_TEST_CASE(contact_lost_while_still_approaching_is_no_bounce) {
 }
 
 BOOST_AUTO_TEST_CASE(a_slow_edge_at_k_near_one_lasts_until_past_the_fold) {
-  // Ice, exact law, k = 0.9, T_vis = 1e-9 s, A = 1e-12 s, 4 m/s: e = 0.858660; ending where beta reaches 1/k gives 0.947.
+  // Ice, exact law, k = 0.9, T_vis = 1e-9 s, A = 1e-12 s, 4 m/s: e = 0.858660; ending where beta reaches 1/k gives
+  // 0.947.
   const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.exact(1e-9 * seconds, 0.9),
                              kuwabara_kono{1e-12 * seconds}, energy_ledger{});
   const auto out = collide(model, at(4), {.tolerance = 1e-9});
@@ -67,8 +68,7 @@ BOOST_AUTO_TEST_CASE(a_slow_edge_at_k_near_one_lasts_until_past_the_fold) {
 BOOST_AUTO_TEST_CASE(a_micrometre_per_second) {
   // |U| is a million million times the kinetic energy: the ledger is judged by the largest energy met.
   for (const auto& T : {0.0 * seconds, ice.relaxation_time}) {
-    const auto model =
-        compose(ice.pair, hertz{}, ice.adhesive, ice.exact(T), ice.viscous, energy_ledger{}, extremes{});
+    const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.exact(T), ice.viscous, energy_ledger{}, extremes{});
     const auto out = collide(model, at(1e-6));
     BOOST_TEST(name_of(out.ending) == "captured");
     BOOST_TEST(out.ending_is_certain);

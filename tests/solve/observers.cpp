@@ -31,15 +31,16 @@ BOOST_AUTO_TEST_CASE(the_trajectory_holds_the_motion) {
   const auto& t = out.trajectory;
   const std::size_t rows = t.time.size();
   BOOST_TEST(rows > 100);
-  for (const auto* column : {&t.mutual_approach, &t.approach_rate, &t.contact_radius, &t.elastic_force,
-                             &t.damping_force, &t.kinetic_energy, &t.elastic_energy, &t.surface_energy, &t.crack_loss,
-                             &t.bulk_loss})
+  for (const auto* column :
+       {&t.mutual_approach, &t.approach_rate, &t.contact_radius, &t.elastic_force, &t.damping_force, &t.kinetic_energy,
+        &t.elastic_energy, &t.surface_energy, &t.crack_loss, &t.bulk_loss})
     BOOST_TEST(column->size() == rows);
   BOOST_TEST(t.time.front() == 0);
   BOOST_TEST(t.time.back() / in_si(out.contact_duration) == 1, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(t.approach_rate.front() == 8, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(-t.approach_rate.back() / 8 == *out.restitution, boost::test_tools::tolerance(1e-9));
-  const double kinetic = t.kinetic_energy.front(), start = kinetic + t.elastic_energy.front() + t.surface_energy.front();
+  const double kinetic = t.kinetic_energy.front(),
+               start = kinetic + t.elastic_energy.front() + t.surface_energy.front();
   double largest = 0, deepest = 0;
   for (std::size_t i = 0; i < rows; ++i) {
     if (i)

@@ -28,7 +28,8 @@ void compare(const std::string& file) {
           BOOST_TEST_CONTEXT(file << ", v = " << row.at("speed")) {
             BOOST_TEST(name_of(out.ending) == row.at("ending"));
             if (row.contains("max_approach") && !row.at("max_approach").empty())
-              BOOST_TEST(in_si(out.max_approach) / number(row, "max_approach") == 1, boost::test_tools::tolerance(1e-8));
+              BOOST_TEST(in_si(out.max_approach) / number(row, "max_approach") == 1,
+                         boost::test_tools::tolerance(1e-8));
             if (stops_early(row)) {
               BOOST_TEST(std::abs(*out.restitution - number(row, "restitution")) < 1e-6);
               return;

@@ -17,7 +17,8 @@ void agrees(const Compose& compose_scene, double tolerance, int count) {
   for (int i = 0; i < count; ++i) {
     const scene s = source.next();
     const auto model = compose_scene(s);
-    const auto out = collide(model, impact{s.speed}, {.tolerance = tolerance, .max_evaluations = 20'000'000}, Stepper{});
+    const auto out =
+        collide(model, impact{s.speed}, {.tolerance = tolerance, .max_evaluations = 20'000'000}, Stepper{});
     const auto fine = integrate(model, impact{s.speed}, {.tolerance = 1e-11});
     BOOST_TEST_CONTEXT("scene " << i) {
       BOOST_TEST(name_of(out.ending) == name_of(fine.ending));
@@ -75,6 +76,6 @@ BOOST_AUTO_TEST_CASE(rosenbrock4) {
   on_a_free_edge<stepper::rosenbrock4>(1e-6, 5);
 }
 BOOST_AUTO_TEST_CASE(any_other_odeint_stepper_plugs_in) {
-  agrees<stepper::embedded<boost::numeric::odeint::runge_kutta_dopri5>>(
-      [](const scene& s) { return viscous_hertz(s); }, 1e-7, 3);
+  agrees<stepper::embedded<boost::numeric::odeint::runge_kutta_dopri5>>([](const scene& s) { return viscous_hertz(s); },
+                                                                        1e-7, 3);
 }

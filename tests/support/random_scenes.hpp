@@ -32,16 +32,17 @@ public:
 
   scene next() {
     using namespace materials;
-    static const material solids[] = {steel,         silicon,    quartz,  copper, polystyrene_latex, tedlar,
-                                      silver_coated_glass, water_ice, acrylic, aluminium_alloy};
+    static const material solids[] = {
+        steel,     silicon, quartz,         copper, polystyrene_latex, tedlar, silver_coated_glass,
+        water_ice, acrylic, aluminium_alloy};
     const sphere one{solids[generator_() % 10], log_uniform(5e-7, 1e-4) * metres};
     const sphere other{solids[generator_() % 10], log_uniform(5e-7, 1e-4) * metres};
     scene s{};
     s.pair = generator_() % 2 ? between(one, other) : between(one, flat_wall{other.solid});
     s.work_of_adhesion = log_uniform(0.02, 3) * joules_per_square_metre;
     const double E = in_si(s.pair.reduced_modulus), R = in_si(s.pair.reduced_radius), m = in_si(s.pair.reduced_mass);
-    const double sticking = std::sqrt(14.18 / m) * std::pow(in_si(s.work_of_adhesion), 5. / 6) * std::pow(R, 2. / 3) /
-                            std::cbrt(E);
+    const double sticking =
+        std::sqrt(14.18 / m) * std::pow(in_si(s.work_of_adhesion), 5. / 6) * std::pow(R, 2. / 3) / std::cbrt(E);
     s.speed = sticking * log_uniform(1.3, 30) * metres_per_second;
     const double contact_time = 2.87 * std::pow(m * m / (R * E * E * in_si(s.speed)), 0.2);
     s.relaxation_time = contact_time * log_uniform(1e-4, 2e-2) * seconds;

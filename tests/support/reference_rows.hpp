@@ -69,9 +69,9 @@ void compose_row(const std::map<std::string, std::string>& row, const Use& use, 
   const duration relaxation_time = number(row, "relaxation_time") * seconds;
   const length interaction_range = number(row, "interaction_range") * metres;
   if (has("greenwood_fit"))
-    return use(compose(
-        pair, hertz{}, viscous, adhesive,
-        greenwood_fit{.relaxation_time = relaxation_time, .interaction_range = interaction_range}, requests...));
+    return use(compose(pair, hertz{}, viscous, adhesive,
+                       greenwood_fit{.relaxation_time = relaxation_time, .interaction_range = interaction_range},
+                       requests...));
   use(compose(pair, hertz{}, viscous, adhesive,
               greenwood{.relaxation_time = relaxation_time,
                         .modulus_ratio = number(row, "modulus_ratio"),
@@ -81,8 +81,8 @@ void compose_row(const std::map<std::string, std::string>& row, const Use& use, 
 
 /// Two spheres of water ice, radius 2 um: the ice case of Krijt 2013, section 3.
 struct ice_case {
-  contact_pair pair = between(sphere{materials::water_ice, 2.0 * micrometres},
-                              sphere{materials::water_ice, 2.0 * micrometres});
+  contact_pair pair =
+      between(sphere{materials::water_ice, 2.0 * micrometres}, sphere{materials::water_ice, 2.0 * micrometres});
   duration relaxation_time = 1e-11 * seconds;
   jkr adhesive{0.74 * joules_per_square_metre};
   kuwabara_kono viscous{bulk_time_of_krijt(relaxation_time, 0.25)};

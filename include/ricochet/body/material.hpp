@@ -6,7 +6,8 @@
 namespace ricochet {
 
 /// An isotropic linear elastic solid. youngs_modulus > 0, 0 <= poissons_ratio < 0.5, mass_density > 0.
-/// surface_free_energy is that of ONE surface (J/m^2); laws take the work of adhesion of a pair, see work_of_adhesion().
+/// surface_free_energy is that of ONE surface (J/m^2); laws take the work of adhesion of a pair, see
+/// work_of_adhesion().
 struct material {
   modulus youngs_modulus;
   double poissons_ratio = 0;

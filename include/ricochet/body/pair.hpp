@@ -14,9 +14,7 @@ struct basic_pair {
 using contact_pair = basic_pair<dimensional>;
 
 namespace detail {
-inline auto compliance(const material& solid) {
-  return (1 - square(solid.poissons_ratio)) / solid.youngs_modulus;
-}
+inline auto compliance(const material& solid) { return (1 - square(solid.poissons_ratio)) / solid.youngs_modulus; }
 } // namespace detail
 
 /// \throws bad_input naming quantity, value and range.

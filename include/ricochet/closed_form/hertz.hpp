@@ -46,8 +46,7 @@ inline length max_contact_radius(const contact_pair& pair, speed v) {
 
 /// The factor of contact_time(), 2 sqrt(pi) (15/16)^{2/5} Gamma(7/5)/Gamma(9/10) = 2.8682656992...
 inline double contact_time_factor() {
-  return 2 * std::sqrt(pi<double>()) * std::pow(15. / 16, 0.4) * std::tgamma(1.4) /
-         std::tgamma(0.9);
+  return 2 * std::sqrt(pi<double>()) * std::pow(15. / 16, 0.4) * std::tgamma(1.4) / std::tgamma(0.9);
 }
 
 /// Time in contact of an elastic impact.

@@ -8,8 +8,7 @@ namespace detail {
 
 /// C1 = sqrt(pi) Gamma(3/5)/(50^{1/5} Gamma(21/10)) = 1.1534488581..., the slope of the series in y.
 inline double weak_damping_slope() {
-  return std::sqrt(pi<double>()) * std::tgamma(0.6) /
-         (std::pow(50., 0.2) * std::tgamma(2.1));
+  return std::sqrt(pi<double>()) * std::tgamma(0.6) / (std::pow(50., 0.2) * std::tgamma(2.1));
 }
 
 } // namespace detail

@@ -26,7 +26,9 @@ struct absent {
 };
 
 template <class L>
-concept has_role = requires { typename L::role; };
+concept has_role = requires {
+  typename L::role;
+};
 
 template <class L, class Role>
 concept plays = has_role<L> && std::same_as<typename L::role, Role>;
@@ -36,7 +38,9 @@ inline constexpr bool is_present = !std::same_as<L, absent<typename L::role>>;
 
 /// A law that works in formulas with sqrt(a) says so; the model then keeps sqrt(a) as its coordinate.
 template <class L>
-inline constexpr bool needs_root_radius = requires { requires L::uses_root_radius; };
+inline constexpr bool needs_root_radius = requires {
+  requires L::uses_root_radius;
+};
 
 /// The same law in another number system, every parameter passed through `convert`.
 template <class NumberSystem, class Law, class Convert>
@@ -46,7 +50,8 @@ auto rebind_law(const Law& law, const Convert& convert) {
   const auto to = decltype(result)::parameters();
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     ((result.*(std::get<I>(to).member) = convert(law.*(std::get<I>(from).member))), ...);
-  }(std::make_index_sequence<std::tuple_size_v<decltype(from)>>{});
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(from)>>{});
   if constexpr (requires { result.table = law.table; })
     result.table = law.table;
   return result;

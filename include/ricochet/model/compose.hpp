@@ -9,20 +9,24 @@ namespace detail {
 
 template <class L>
 consteval bool diagnose() {
-  static_assert(has_role<L>, "every argument of compose() after the pair must be a law or a request: it needs `using role = ...`");
+  static_assert(has_role<L>,
+                "every argument of compose() after the pair must be a law or a request: it needs `using role = ...`");
   if constexpr (plays<L, role::elastic>)
     static_assert(elastic_law<L>, "elastic law: force, stored_energy, energy_release_rate or load_free_approach is "
                                   "missing or returns another type (law/elastic/elastic_law.hpp)");
   if constexpr (plays<L, role::adhesion>)
-    static_assert(adhesion_law<L>, "adhesion law: work_of_adhesion, surface_energy, flattening, touch_radius, fold_radius, "
-                                   "contact_radius, pull_off_force or exit_energy is missing or returns another type "
-                                   "(law/adhesion/adhesion_law.hpp)");
+    static_assert(adhesion_law<L>,
+                  "adhesion law: work_of_adhesion, surface_energy, flattening, touch_radius, fold_radius, "
+                  "contact_radius, pull_off_force or exit_energy is missing or returns another type "
+                  "(law/adhesion/adhesion_law.hpp)");
   if constexpr (plays<L, role::crack>)
-    static_assert(crack_velocity_law<L>, "crack-velocity law: joints, speed_scale, first_ratio, rate or relaxation_time is "
-                                         "missing or returns another type (law/crack/crack_velocity_law.hpp)");
+    static_assert(crack_velocity_law<L>,
+                  "crack-velocity law: joints, speed_scale, first_ratio, rate or relaxation_time is "
+                  "missing or returns another type (law/crack/crack_velocity_law.hpp)");
   if constexpr (plays<L, role::damping>)
-    static_assert(bulk_damping_law<L>, "bulk damping law: coefficient(pair, configuration) is missing or returns another "
-                                       "type (law/damping/bulk_damping_law.hpp)");
+    static_assert(bulk_damping_law<L>,
+                  "bulk damping law: coefficient(pair, configuration) is missing or returns another "
+                  "type (law/damping/bulk_damping_law.hpp)");
   return true;
 }
 
@@ -53,8 +57,8 @@ void admit(Law& law) {
 } // namespace detail
 
 /// A contact model of exactly the physics named, in any order; laws' parameters are validated and tables made here.
-/// \throws bad_input naming quantity, value and range. An illegal composition does not compile; its static_assert is one
-/// sentence.
+/// \throws bad_input naming quantity, value and range. An illegal composition does not compile; its static_assert is
+/// one sentence.
 template <class... Arguments>
 auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert((detail::diagnose<Arguments>() && ...));
@@ -67,8 +71,9 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert(n.end < 2, "two end conditions were given: keep one");
   static_assert(n.crack == 0 || n.adhesion != 0,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr{...}");
-  static_assert(n.end == 0 || n.adhesion == 0,
-                "an end condition is only for contacts without adhesion: with jkr{...} the edge decides where contact ends");
+  static_assert(
+      n.end == 0 || n.adhesion == 0,
+      "an end condition is only for contacts without adhesion: with jkr{...} the edge decides where contact ends");
   if constexpr (composable<Arguments...>) {
     require("reduced_modulus", pair.reduced_modulus, positive);
     require("reduced_radius", pair.reduced_radius, positive);

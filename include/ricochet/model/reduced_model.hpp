@@ -8,10 +8,10 @@ namespace ricochet {
 /// A contact model on plain numbers T in the scales of a collision, and its equations of motion in the coordinate and
 /// the slowed time in which they are smooth.
 ///
-/// Edge slaved to the approach: the coordinate is y = a, or sqrt(a) where a law needs that, and dt = (d delta/dy) d sigma;
-/// so y' = rate, and the fold of JKR or the touch of Hertz are ordinary crossings.
-/// Free edge (crack law): the unknowns are delta, rate and y = sqrt(a), with
-/// sqrt(beta) = (y^4/R - delta)/(c y), and dt = d sigma/sqrt(1 + (dy/dt)^2/ref^2), finite where the edge's speed is not.
+/// Edge slaved to the approach: the coordinate is y = a, or sqrt(a) where a law needs that, and dt = (d delta/dy) d
+/// sigma; so y' = rate, and the fold of JKR or the touch of Hertz are ordinary crossings. Free edge (crack law): the
+/// unknowns are delta, rate and y = sqrt(a), with sqrt(beta) = (y^4/R - delta)/(c y), and dt = d sigma/sqrt(1 +
+/// (dy/dt)^2/ref^2), finite where the edge's speed is not.
 template <class T, class Model>
 class reduced_model {
   template <class Law>
@@ -187,9 +187,7 @@ public:
   }
 
   /// Coordinate at the fold of the static branch, where a slaved adhesive edge lets go.
-  T fold_coordinate() const requires adhesive {
-    return sqrt(adhesion.fold_radius(pair));
-  }
+  T fold_coordinate() const requires adhesive { return sqrt(adhesion.fold_radius(pair)); }
 
   /// Past the fold an edge that runs at its limit lets go; before it, the edge slides along the branch.
   bool past_fold(const configuration<reduced<T>>& c) const {

@@ -70,7 +70,8 @@ struct state : std::array<T, Variables::size> {
     return this->data()[Variables::template index_of<Name>()];
   }
   template <class Name>
-  requires std::is_empty_v<Name> const T& operator[](Name) const {
+  requires std::is_empty_v<Name>
+  const T& operator[](Name) const {
     check<Name>();
     return this->data()[Variables::template index_of<Name>()];
   }

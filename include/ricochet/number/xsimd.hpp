@@ -1,5 +1,5 @@
-// A pack of numbers as the scalar type of the laws: xsimd::batch. Laws and right-hand sides work on packs; what steers a
-// solution (steps, events) does not, and number_traits<batch>::value is therefore absent.
+// A pack of numbers as the scalar type of the laws: xsimd::batch. Laws and right-hand sides work on packs; what steers
+// a solution (steps, events) does not, and number_traits<batch>::value is therefore absent.
 #pragma once
 #include <ricochet/number.hpp>
 
@@ -25,8 +25,8 @@ Pack select(const xsimd::batch_bool<T, Arch>& condition, Yes yes, No no) {
 
 /// A function known only on real numbers, lane by lane.
 template <class Pack, class F>
-requires std::same_as<Pack, xsimd::batch<typename Pack::value_type, typename Pack::arch_type>> Pack
-evaluate(const F& f, const Pack& x) {
+requires std::same_as<Pack, xsimd::batch<typename Pack::value_type, typename Pack::arch_type>>
+    Pack evaluate(const F& f, const Pack& x) {
   std::array<typename Pack::value_type, Pack::size> lanes;
   x.store_unaligned(lanes.data());
   for (auto& lane : lanes)

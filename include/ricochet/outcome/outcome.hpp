@@ -31,10 +31,10 @@ constexpr const char* name_of(ending e) {
 /// Losses in units of the initial kinetic energy, jumps included; largest |energy| met sets the residual's scale.
 template <class T>
 struct ledger_result {
-  T crack_loss{};           ///< lost at the contact's edge; of a static edge its jumps
-  T bulk_loss{};            ///< lost in the bulk, with what relaxes after separation
-  T remaining_energy{};     ///< kinetic + elastic + surface energy at the end
-  T ledger_residual{};      ///< (initial energy - remaining - losses)/largest energy met
+  T crack_loss{};       ///< lost at the contact's edge; of a static edge its jumps
+  T bulk_loss{};        ///< lost in the bulk, with what relaxes after separation
+  T remaining_energy{}; ///< kinetic + elastic + surface energy at the end
+  T ledger_residual{};  ///< (initial energy - remaining - losses)/largest energy met
 };
 
 template <class Duration>
@@ -77,9 +77,9 @@ struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
                        detail::part<Asked.trajectory, trajectory_result, 3> {
   ricochet::ending ending = ricochet::ending::failed;
-  std::optional<T> restitution; ///< of the final separation; absent when the bodies did not separate
+  std::optional<T> restitution;  ///< of the final separation; absent when the bodies did not separate
   bool ending_is_certain = true; ///< false so near a threshold that the error bound does not decide
-  double error_estimate = 0;    ///< bound of the error of the restitution
+  double error_estimate = 0;     ///< bound of the error of the restitution
   int contacts = 1;
   long evaluations = 0;    ///< of the equations of motion, all solutions together
   long rejected_steps = 0; ///< likewise

@@ -48,7 +48,8 @@ public:
   const T& remaining_energy() const { return remaining_; }
   /// Potential energy at the first turning point.
   const T& energy_at_turning() const { return energy_at_turning_; }
-  /// Approach rate over the impact's speed where the edge first let go of bodies that were approaching; infinite if never.
+  /// Approach rate over the impact's speed where the edge first let go of bodies that were approaching; infinite if
+  /// never.
   const real& near_miss() const { return near_miss_; }
   /// Largest energy met, kinetic or potential.
   const real& largest_energy() const { return largest_energy_; }
@@ -99,7 +100,8 @@ private:
         continue;
       }
       const bool happened = part < tried.taken;
-      if (happened && is_kink(*which) && part > 2 * kink_->closest) { // the motion is not smooth there: come closer first
+      if (happened && is_kink(*which) &&
+          part > 2 * kink_->closest) { // the motion is not smooth there: come closer first
         ++out_.rejected_steps;
         h = part * 3 / 4;
         continue;
@@ -190,8 +192,8 @@ private:
                           const attempt<state_type, real>& tried) {
     found_event first{std::nullopt, tried.taken, true};
     state_type last = tried.x;
-    for (const event which : {event::letting_go, event::zero_force, event::turning, event::leaving_below,
-                              event::leaving_above}) {
+    for (const event which :
+         {event::letting_go, event::zero_force, event::turning, event::leaving_below, event::leaving_above}) {
       const auto value = [&](const state_type& at) -> real {
         return value_of(events_.value(which, at, flow_.piece, approaching_));
       };
@@ -201,8 +203,8 @@ private:
       const real at_start = value(x);
       if (!(at_start > real(0)))
         return {which, first.part, false};
-      const real part = locate_event([&](const real& h) { return value(method.within(flow_, x, h)); }, first.part,
-                                     at_start, at_end);
+      const real part =
+          locate_event([&](const real& h) { return value(method.within(flow_, x, h)); }, first.part, at_start, at_end);
       first = {which, std::min<real>(part, tried.taken * (1 - std::numeric_limits<real>::epsilon())), true};
       last = method.within(flow_, x, first.part);
     }
@@ -305,9 +307,7 @@ private:
     return next;
   }
 
-  void meet_energy(const T& potential) {
-    largest_energy_ = std::max<real>(largest_energy_, abs(value_of(potential)));
-  }
+  void meet_energy(const T& potential) { largest_energy_ = std::max<real>(largest_energy_, abs(value_of(potential))); }
 
   /// Beyond it no error estimate is to be believed. It shrinks with the tolerance, so that two solutions at different
   /// tolerances never share the errors of their longest steps.
@@ -351,7 +351,8 @@ private:
   std::optional<kink> kink_;
   outcome_type out_;
   bool approaching_ = true, has_turned_ = false, captured_ = false;
-  T initial_energy_ = T(0), energy_at_turning_ = T(0), remaining_ = T(0), jumps_at_edge_ = T(0), relaxed_in_bulk_ = T(0);
+  T initial_energy_ = T(0), energy_at_turning_ = T(0), remaining_ = T(0), jumps_at_edge_ = T(0),
+    relaxed_in_bulk_ = T(0);
   real largest_energy_ = 0, near_miss_ = std::numeric_limits<real>::infinity();
 };
 

@@ -21,9 +21,8 @@ class event_values {
   using T = typename Reduced::number;
   using real = real_of<T>;
   using state_type = typename Reduced::state_type;
-  static constexpr bool may_lose_force =
-      !Reduced::adhesive && Reduced::damped &&
-      std::same_as<typename Reduced::model_type::end_condition, end_at_zero_force>;
+  static constexpr bool may_lose_force = !Reduced::adhesive && Reduced::damped &&
+                                         std::same_as<typename Reduced::model_type::end_condition, end_at_zero_force>;
 
 public:
   explicit event_values(const Reduced& model) : model_(model) {
@@ -75,9 +74,7 @@ private:
     else
       return std::size_t(0);
   }();
-  static T root_of_joint(int joint) {
-    return T(sqrt(real(decltype(Reduced::crack)::joints[std::size_t(joint)])));
-  }
+  static T root_of_joint(int joint) { return T(sqrt(real(decltype(Reduced::crack)::joints[std::size_t(joint)]))); }
 
   const Reduced& model_;
   T fold_ = T(0);

@@ -12,8 +12,8 @@ struct flow {
   using real = real_of<number>;
 
   const Reduced& model;
-  int piece = 0;         ///< of the crack law; held during a step, so that every step is smooth
-  bool outside = false;  ///< set when a stage left the domain of the equations; its step has to be rejected
+  int piece = 0;        ///< of the crack law; held during a step, so that every step is smooth
+  bool outside = false; ///< set when a stage left the domain of the equations; its step has to be rejected
   long evaluations = 0;
 
   void operator()(const state_type& x, state_type& dx, const real&) {

@@ -5,8 +5,8 @@
 
 namespace ricochet {
 
-/// Watches a collision step by step for what its model asks beyond the ending: extremes and trajectory. Where neither is
-/// asked for, it is empty and does nothing.
+/// Watches a collision step by step for what its model asks beyond the ending: extremes and trajectory. Where neither
+/// is asked for, it is empty and does nothing.
 template <class Reduced, class Method>
 class observers {
   using T = typename Reduced::number;
@@ -119,7 +119,8 @@ private:
   }
 
   [[no_unique_address]] std::conditional_t<asked.extremes, extremes_part, nothing> parts_;
-  [[no_unique_address]] std::conditional_t<asked.trajectory, trajectory_columns<std::vector<double>>, detail::nothing<9>>
+  [[no_unique_address]] std::conditional_t<asked.trajectory, trajectory_columns<std::vector<double>>,
+                                           detail::nothing<9>>
       rows_;
 };
 

@@ -73,12 +73,12 @@ struct rosenbrock4 {
       const vector g1 = solver.solve(pack(slope_));
       const vector g2 = solver.solve(slope(from + c.a21 * g1) + c.c21 / h * g1);
       const vector g3 = solver.solve(slope(from + c.a31 * g1 + c.a32 * g2) + (c.c31 * g1 + c.c32 * g2) / h);
-      const vector g4 = solver.solve(slope(from + c.a41 * g1 + c.a42 * g2 + c.a43 * g3) +
-                                     (c.c41 * g1 + c.c42 * g2 + c.c43 * g3) / h);
+      const vector g4 =
+          solver.solve(slope(from + c.a41 * g1 + c.a42 * g2 + c.a43 * g3) + (c.c41 * g1 + c.c42 * g2 + c.c43 * g3) / h);
       const vector near = from + c.a51 * g1 + c.a52 * g2 + c.a53 * g3 + c.a54 * g4;
       const vector g5 = solver.solve(slope(near) + (c.c51 * g1 + c.c52 * g2 + c.c53 * g3 + c.c54 * g4) / h);
-      const vector error = solver.solve(slope(near + g5) +
-                                        (c.c61 * g1 + c.c62 * g2 + c.c63 * g3 + c.c64 * g4 + c.c65 * g5) / h);
+      const vector error =
+          solver.solve(slope(near + g5) + (c.c61 * g1 + c.c62 * g2 + c.c63 * g3 + c.c64 * g4 + c.c65 * g5) / h);
       return {unpack(near + g5 + error), unpack(error)};
     }
 
@@ -183,9 +183,7 @@ struct automatic {
     }
 
   private:
-    static real inverse_fourth_root(const real& x) {
-      return 1 / sqrt(sqrt(x));
-    }
+    static real inverse_fourth_root(const real& x) { return 1 / sqrt(sqrt(x)); }
 
     /// Counts how often in a row the step was near the explicit method's limit of stability while that is so short that
     /// the implicit method pays.

@@ -104,8 +104,7 @@ struct bulirsch_stoer_dense_out {
     using stepper_type = odeint::bulirsch_stoer_dense_out<state_type, real, state_type, real, odeint::array_algebra>;
 
   public:
-    method(const real& tolerance, const state_type&)
-        : stepper_(tolerance, real(0), real(0), real(0), true) {}
+    method(const real& tolerance, const state_type&) : stepper_(tolerance, real(0), real(0), real(0), true) {}
 
     attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
       f.outside = false;

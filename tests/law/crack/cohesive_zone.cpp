@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE law_crack_cohesive_zone
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <ricochet/law/crack/cohesive_zone.hpp>
 #include <ricochet/number/multiprecision.hpp>

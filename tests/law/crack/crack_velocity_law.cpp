@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE law_crack_crack_velocity_law
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/crack/greenwood.hpp>

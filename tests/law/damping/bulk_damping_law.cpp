@@ -1,5 +1,4 @@
-#define BOOST_TEST_MODULE law_damping_bulk_damping_law
-#include <boost/test/included/unit_test.hpp>
+#include <boost/test/unit_test.hpp>
 
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>

@@ -7,7 +7,8 @@ namespace ricochet {
 /// delta = a^2/R - sqrt(2 pi w a/E*), F = 4E*a^3/3R - sqrt(8 pi w E* a^3)
 /// work_of_adhesion: w of the pair, J/m^2, >= 0 (twice the surface free energy for like bodies).
 /// Valid for Tabor numbers above 5. A free collision ends at the fold, where delta is least (displacement control).
-/// Source: Krijt 2013 (6)-(10), with the fold a^3 = pi w R^2/8E* and the energy left there, 0.1 pi^{5/3}(w^5 R^4/E*^2)^{1/3}.
+/// Source: Krijt 2013 (6)-(10), with the fold a^3 = pi w R^2/8E* and the energy left there, 0.1 pi^{5/3}(w^5
+/// R^4/E*^2)^{1/3}.
 template <class S>
 struct jkr_law {
   using role = role::adhesion;

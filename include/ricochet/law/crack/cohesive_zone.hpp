@@ -90,7 +90,8 @@ point<T> closing(const T& alpha, const T& k) {
           T(4) / number_traits<T>::pi() * alpha * denominator};
 }
 
-/// alpha at which curve(alpha).ratio = Q, by Newton's method in log-log coordinates from a starting value; Q, alpha > 0.
+/// alpha at which curve(alpha).ratio = Q, by Newton's method in log-log coordinates from a starting value; Q, alpha >
+/// 0.
 template <class T, class Curve>
 T invert(const Curve& curve, const T& Q, T alpha) {
   for (int i = 0; i < 100; ++i) {

@@ -16,7 +16,7 @@ struct edge_rate {
 /// Crack-velocity law: speed of the edge as a function of beta = G/w, given through sqrt(beta) so that beta - 1 is free
 /// of cancellation. `joints` lists the beta at which the law is not smooth, ascending; `piece` counts the intervals
 /// between them, and a piece may be evaluated a little beyond its own interval.
-/// Axioms: speed(1) = 0; monotone; (G - w) times the opening speed >= 0; slowness = 0 at beta = 1/k.
+/// Axioms: speed(1) = 0; monotone between the joints; (G - w) times the opening speed >= 0; slowness = 0 at beta = 1/k.
 template <class L>
 concept crack_velocity_law = plays<L, role::crack> &&
     requires(const typename L::template in<reduced<double>> law, const basic_pair<reduced<double>>& pair, double x) {

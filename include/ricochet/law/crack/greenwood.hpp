@@ -7,10 +7,10 @@
 namespace ricochet {
 
 /// Exact crack-velocity law of a Dugdale zone in a three-element solid, any k (theory as in Greenwood 2004).
-/// opening beta = 1/[1-(1-k)I], v = pi beta/(4 alpha); closing beta = [1-(1-k)N]^2/D, v = pi/(4 alpha D), D = 1-(1-k)(2N-I)
-/// relaxation_time T_vis >= 0; modulus_ratio k in [1e-4, 0.98]; interaction_range z0 > 0; first_ratio_over_k in (1, 1/k).
-/// Valid while the cohesive zone is short against the contact radius. Backward error |beta(v(beta)) - beta| <= 1e-13 beta.
-/// Source: Krijt 2013 (12)-(15) for the model; N, I: cohesive_zone.hpp.
+/// opening beta = 1/[1-(1-k)I], v = pi beta/(4 alpha); closing beta = [1-(1-k)N]^2/D, v = pi/(4 alpha D), D =
+/// 1-(1-k)(2N-I) relaxation_time T_vis >= 0; modulus_ratio k in [1e-4, 0.98]; interaction_range z0 > 0;
+/// first_ratio_over_k in (1, 1.02). Valid while the cohesive zone is short against the contact radius. Backward error
+/// |beta(v(beta)) - beta| <= 1e-13 beta. Source: Krijt 2013 (12)-(15) for the model; N, I: cohesive_zone.hpp.
 template <class S>
 struct greenwood_law {
   using role = role::crack;
@@ -20,7 +20,8 @@ struct greenwood_law {
   number modulus_ratio{};
   typename S::length interaction_range{};
   number first_ratio_over_k = number(1.01);
-  std::shared_ptr<const greenwood_table> table = nullptr; ///< made by compose(); give one made for the same k to share it
+  std::shared_ptr<const greenwood_table> table =
+      nullptr; ///< made by compose(); give one made for the same k to share it
 
   template <class Other>
   using in = greenwood_law<Other>;
@@ -54,22 +55,28 @@ struct greenwood_law {
     const number k = modulus_ratio;
     const number excess = (root_ratio - number(1)) * (root_ratio + number(1)); // beta - 1
     const number distance = select<number>(
-        abs(excess) > number(1e-18), [&] { return number(abs(excess)); }, [] { return number(1e-18); });
+        abs(excess) > number(1e-18f), [&] { return number(abs(excess)); }, [] { return number(1e-18f); });
     const number sign = select<number>(
         excess > number(0), [] { return number(-1); }, [] { return number(1); });
-    if (piece == 0) {
-      const number Q = (number(1) - distance - k) / distance;
+    if (piece == 0) { // beyond beta = 1 the mirror image of the speed
+      const number ratio = select<number>(
+          excess < number(0), [&] { return number(root_ratio * root_ratio); },
+          [&] { return number(number(1) - distance); });
+      const number Q = (ratio - k) / distance;
       return {sign, Q * closing_slowness(Q)};
     }
-    const number Q = (number(1) - k * (number(1) + distance)) / distance;
-    return {sign * pi<number>() * (number(1) + distance), Q * opening_slowness(Q)};
+    const number ratio = select<number>(
+        excess > number(0), [&] { return number(root_ratio * root_ratio); },
+        [&] { return number(number(1) + distance); });
+    const number Q = (number(1) - k * ratio) / distance;
+    return {sign * pi<number>() * ratio, Q * opening_slowness(Q)};
   }
 
 private:
   number closing_slowness(const number& Q) const {
     if constexpr (number_traits<number>::inverts_exactly) {
       if (Q <= number(0))
-        return number(12) / pi<number>();
+        return number(12) * modulus_ratio / pi<number>();
       const auto curve = [this](const number& a) { return cohesive_zone::closing<number>(a, modulus_ratio); };
       const double near = static_cast<double>(Q);
       const double guess = 0.25 * pi<double>() * near * table->closing.value(near); // alpha D; alpha >= this

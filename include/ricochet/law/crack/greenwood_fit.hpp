@@ -4,10 +4,10 @@
 namespace ricochet {
 
 /// Greenwood's published fits to the crack-velocity law, k = 0.02 only.
-/// v = 0.15/(beta ln[(1-k)/(1-beta)]) | (0.1035x+0.3421)x^1.116, x = 1/beta-1 | -(0.2112x+0.3939)x^1.1403, x = beta-1 | -0.24 beta/ln[(1-k)/(1-1/beta)]
-/// relaxation_time T_vis >= 0; modulus_ratio k = 0.02; interaction_range z0 > 0; first_ratio_over_k in (1, 1.02).
-/// Joints at beta = 0.29, 1, 3.7 with jumps of -0.8 % and +0.6 %; off the exact law by up to 7.3 % in beta.
-/// Source: Krijt 2013 (16), (17).
+/// v = 0.15/(beta ln[(1-k)/(1-beta)]) | (0.1035x+0.3421)x^1.116, x = 1/beta-1 | -(0.2112x+0.3939)x^1.1403, x = beta-1 |
+/// -0.24 beta/ln[(1-k)/(1-1/beta)] relaxation_time T_vis >= 0; modulus_ratio k = 0.02; interaction_range z0 > 0;
+/// first_ratio_over_k in (1, 1.02). Joints at beta = 0.29, 1, 3.7 with jumps of -0.8 % and +0.6 %; off the exact law by
+/// up to 7.3 % in beta. Source: Krijt 2013 (16), (17).
 template <class S>
 struct greenwood_fit_law {
   using role = role::crack;
@@ -48,28 +48,31 @@ struct greenwood_fit_law {
     const number ratio = root_ratio * root_ratio;
     const number excess = (root_ratio - one) * (root_ratio + one);
     const number below = select<number>( // 1 - beta, kept positive for the logarithm
-        excess < number(-1e-3), [&] { return number(-excess); }, [] { return number(1e-3); });
+        excess < -thousandths(1), [&] { return number(-excess); }, [] { return thousandths(1); });
     const number inverse = select<number>( // 1/beta, kept below one for the logarithm
-        ratio > number(1.001), [&] { return number(one / ratio); }, [] { return number(1 / 1.001); });
+        ratio > thousandths(1001), [&] { return number(one / ratio); }, [] { return thousandths(999); });
     switch (piece) {
     case 0: // [K (16)], closing
-      return {one, ratio * log((one - k) / below) / number(0.15)};
+      return {one, ratio * log((one - k) / below) / thousandths(150)};
     case 1: // [K (17)], closing
-      return power(-excess / ratio, number(0.1035), number(0.3421), number(1.116));
+      return power(-excess / ratio, thousandths(1035) / number(10), thousandths(3421) / number(10), thousandths(1116));
     case 2: { // [K (17)], opening
-      const auto closing = power(excess, number(0.2112), number(0.3939), number(1.1403));
+      const auto closing = power(excess, thousandths(2112) / number(10), thousandths(3939) / number(10),
+                                 thousandths(11403) / number(10));
       return {-closing.advance, closing.slowness};
     }
     default: // [K (16)], opening
-      return {-number(0.24) * ratio, log((one - k) / (one - inverse))};
+      return {-thousandths(240) * ratio, log((one - k) / (one - inverse))};
     }
   }
 
 private:
+  static number thousandths(int n) { return number(static_cast<float>(n)) / number(1000); }
+
   /// (p x + q) x^n, odd in x so that it can be evaluated beyond its joint.
   static edge_rate<number> power(const number& x, const number& p, const number& q, const number& n) {
     const number size = select<number>(
-        abs(x) > number(1e-30), [&] { return number(abs(x)); }, [] { return number(1e-30); });
+        abs(x) > number(1e-30f), [&] { return number(abs(x)); }, [] { return number(1e-30f); });
     const number speed = (p * size + q) * pow(size, n);
     return {select<number>(
                 x > number(0), [&] { return speed; }, [&] { return number(-speed); }),

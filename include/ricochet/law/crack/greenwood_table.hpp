@@ -92,14 +92,13 @@ struct greenwood_table {
   greenwood_curve closing, opening;
 
   explicit greenwood_table(double k)
-      : modulus_ratio(k), closing(k * k / 200,
-                                  [k, alpha = 1e-6L * k](long double Q) mutable {
-                                    const auto curve = [k](long double a) {
-                                      return cohesive_zone::closing<long double>(a, k);
-                                    };
-                                    alpha = cohesive_zone::invert<long double>(curve, Q, alpha);
-                                    return curve(alpha).slowness / Q;
-                                  }),
+      : modulus_ratio(k),
+        closing(k * k / 200,
+                [k, alpha = 1e-6L * k](long double Q) mutable {
+                  const auto curve = [k](long double a) { return cohesive_zone::closing<long double>(a, k); };
+                  alpha = cohesive_zone::invert<long double>(curve, Q, alpha);
+                  return curve(alpha).slowness / Q;
+                }),
         opening(0.1, [alpha = 1e-3L](long double Q) mutable {
           alpha = cohesive_zone::invert<long double>(cohesive_zone::opening<long double>, Q, alpha);
           return 4 * alpha / Q;

@@ -3,11 +3,9 @@
 
 namespace ricochet {
 
-/// Viscous bulk of Kuwabara & Kono (also Brilliantov et al.): dissipative stress proportional to the elastic stress rate.
-/// F_D = 2 A E* a d(delta)/dt
-/// bulk_time: A, s, >= 0; a parameter of the pair, see the functions below for the ways it is chosen.
-/// Valid while A is short against the contact time.
-/// Source: Krijt 2013 (18), (19).
+/// Viscous bulk of Kuwabara & Kono (also Brilliantov et al.): dissipative stress proportional to the elastic stress
+/// rate. F_D = 2 A E* a d(delta)/dt bulk_time: A, s, >= 0; a parameter of the pair, see the functions below for the
+/// ways it is chosen. Valid while A is short against the contact time. Source: Krijt 2013 (18), (19).
 template <class S>
 struct kuwabara_kono_law {
   using role = role::damping;

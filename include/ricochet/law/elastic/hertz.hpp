@@ -6,7 +6,8 @@ namespace ricochet {
 /// Hertzian spheres whose contact radius need not be the Hertzian one.
 /// F = (2E*/3R)(3 a delta R - a^3), U = E*(delta^2 a - 2 delta a^3/3R + a^5/5R^2), G = E*(a^2 - delta R)^2/(2 pi a R^2)
 /// No parameters of its own. Valid for a << R and speeds well below that of sound.
-/// Source: Muller, Yushchenko & Derjaguin 1980 as Krijt 2013 (2), (3), (14); with a^2 = R delta, Hertz's F = 4E*a^3/3R (5).
+/// Source: Muller, Yushchenko & Derjaguin 1980 as Krijt 2013 (2), (3), (14); with a^2 = R delta, Hertz's F = 4E*a^3/3R
+/// (5).
 template <class S>
 struct hertz_law {
   using role = role::elastic;
