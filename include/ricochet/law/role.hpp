@@ -30,6 +30,13 @@ concept has_role = requires {
   typename L::role;
 };
 
+/// What every law offers: its form in another number system, and its parameters.
+template <class L>
+concept law = has_role<L> && requires {
+  typename L::template in<reduced<double>>;
+  L::parameters();
+};
+
 template <class L, class Role>
 concept plays = has_role<L> && std::same_as<typename L::role, Role>;
 

@@ -50,6 +50,8 @@ struct jkr_law {
   /// above, where delta(a) is convex.
   typename S::length contact_radius(const basic_pair<S>& pair, typename S::length approach) const {
     const typename S::root_length c = flattening(pair);
+    if (c == typename S::root_length{})
+      return approach > typename S::length{} ? sqrt(approach * pair.reduced_radius) : typename S::length{};
     typename S::length a = equilibrium_radius(pair);
     if (approach * pair.reduced_radius > a * a)
       a = sqrt(approach * pair.reduced_radius) + a;

@@ -18,7 +18,7 @@ struct edge_rate {
 /// between them, and a piece may be evaluated a little beyond its own interval.
 /// Axioms: speed(1) = 0; monotone between the joints; (G - w) times the opening speed >= 0; slowness = 0 at beta = 1/k.
 template <class L>
-concept crack_velocity_law = plays<L, role::crack> &&
+concept crack_velocity_law = law<L> && plays<L, role::crack> &&
     requires(const typename L::template in<reduced<double>> law, const basic_pair<reduced<double>>& pair, double x) {
   { L::joints.size() } -> std::convertible_to<std::size_t>;
   { law.speed_scale(pair, x) } -> std::same_as<double>;
@@ -32,7 +32,7 @@ template <class T, class Law>
 edge_rate<T> rate_anywhere(const Law& law, const T& root_ratio) {
   edge_rate<T> result = law.rate(root_ratio, 0);
   for (std::size_t i = 0; i < Law::joints.size(); ++i) {
-    const auto beyond = square(root_ratio) > T(Law::joints[i]);
+    const auto beyond = square(root_ratio) > T(static_cast<real_of<T>>(Law::joints[i]));
     const edge_rate<T> next = law.rate(root_ratio, int(i) + 1);
     result.advance = select<T>(
         beyond, [&] { return next.advance; }, [&] { return result.advance; });

@@ -41,8 +41,13 @@ inline duration bulk_time_of_three_element_solid(duration relaxation_time, doubl
 }
 
 /// A of a pair of unlike bodies, weighted by their compliances C_i = (1-nu_i^2)/E_i: A = sum C_i A_i/sum C_i.
+/// \throws bad_input naming the first quantity outside its range.
 inline duration bulk_time_of_pair(const material& one, duration time_of_one, const material& other,
                                   duration time_of_other) {
+  validate(one, "first material: ");
+  validate(other, "second material: ");
+  require("first bulk_time", time_of_one, non_negative);
+  require("second bulk_time", time_of_other, non_negative);
   const auto first = detail::compliance(one), second = detail::compliance(other);
   return (first * time_of_one + second * time_of_other) / (first + second);
 }
