@@ -32,7 +32,7 @@ concept has_role = requires {
 
 /// What every law offers: its form in another number system, and its parameters.
 template <class L>
-concept law = has_role<L> && requires {
+concept any_law = has_role<L> && requires {
   typename L::template in<reduced<double>>;
   L::parameters();
 };

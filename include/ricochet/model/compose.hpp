@@ -12,8 +12,8 @@ consteval bool diagnose() {
   static_assert(has_role<L>,
                 "every argument of compose() after the pair must be a law or a request: it needs `using role = ...`");
   if constexpr (plays<L, role::elastic> || plays<L, role::adhesion> || plays<L, role::crack> || plays<L, role::damping>)
-    static_assert(law<L>, "a law needs `template <class S> using in = ...`, its form in the number system S, and "
-                          "`static constexpr auto parameters()` (law/role.hpp)");
+    static_assert(any_law<L>, "a law needs `template <class S> using in = ...`, its form in the number system S, and "
+                              "`static constexpr auto parameters()` (law/role.hpp)");
   if constexpr (plays<L, role::elastic>)
     static_assert(elastic_law<L>, "elastic law: force, stored_energy, energy_release_rate or load_free_approach is "
                                   "missing or returns another type (law/elastic/elastic_law.hpp)");

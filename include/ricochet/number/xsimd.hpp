@@ -1,5 +1,5 @@
-// A pack of numbers as the scalar type of the laws: xsimd::batch. Laws and right-hand sides work on packs; what steers
-// a solution (steps, events) does not, and number_traits<batch>::value is therefore absent.
+// A pack of numbers as the scalar type of the laws: xsimd::batch. Laws work on packs; what steers a solution (domain,
+// steps, events) looks at one number, and number_traits<batch>::value is therefore absent.
 #pragma once
 #include <ricochet/number.hpp>
 

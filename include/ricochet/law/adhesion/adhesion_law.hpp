@@ -7,7 +7,7 @@ namespace ricochet {
 /// of adhesion. Axioms: published pull-off force and fold; U at the fold is the exit energy; the static branch is the
 /// stable one.
 template <class L>
-concept adhesion_law = law<L> && plays<L, role::adhesion> &&
+concept adhesion_law = any_law<L> && plays<L, role::adhesion> &&
     requires(const typename L::template in<reduced<double>> law, const basic_pair<reduced<double>>& pair, double x) {
   { law.work_of_adhesion } -> std::convertible_to<double>;
   { law.surface_energy(x) } -> std::same_as<double>;

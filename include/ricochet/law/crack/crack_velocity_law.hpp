@@ -18,7 +18,7 @@ struct edge_rate {
 /// between them, and a piece may be evaluated a little beyond its own interval.
 /// Axioms: speed(1) = 0; monotone between the joints; (G - w) times the opening speed >= 0; slowness = 0 at beta = 1/k.
 template <class L>
-concept crack_velocity_law = law<L> && plays<L, role::crack> &&
+concept crack_velocity_law = any_law<L> && plays<L, role::crack> &&
     requires(const typename L::template in<reduced<double>> law, const basic_pair<reduced<double>>& pair, double x) {
   { L::joints.size() } -> std::convertible_to<std::size_t>;
   { law.speed_scale(pair, x) } -> std::same_as<double>;

@@ -6,7 +6,7 @@ namespace ricochet {
 /// Bulk damping law: F_D = coefficient * rate, written in the contact radius so that it is defined in tension too.
 /// Axiom: coefficient >= 0, so that the power F_D * rate never is negative.
 template <class L>
-concept bulk_damping_law = law<L> && plays<L, role::damping> &&
+concept bulk_damping_law = any_law<L> && plays<L, role::damping> &&
     requires(const typename L::template in<reduced<double>> law, const basic_pair<reduced<double>>& pair,
              const configuration<reduced<double>>& c) {
   { law.coefficient(pair, c) } -> std::same_as<double>;

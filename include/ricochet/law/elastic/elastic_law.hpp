@@ -7,7 +7,7 @@ namespace ricochet {
 /// approach at which the edge of a contact of that radius is free of load, with its derivative in a.
 /// Axioms (tests/axioms): F = dU/d(delta); G = (1/2 pi a) dU/da; G = 0 at the load-free approach.
 template <class L>
-concept elastic_law = law<L> && plays<L, role::elastic> &&
+concept elastic_law = any_law<L> && plays<L, role::elastic> &&
     requires(const L law, const basic_pair<reduced<double>>& pair, const configuration<reduced<double>>& c) {
   typename L::template in<reduced<double>>;
   requires requires(typename L::template in<reduced<double>> numbers) {
