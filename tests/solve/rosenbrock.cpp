@@ -80,13 +80,3 @@ BOOST_AUTO_TEST_CASE(steps_are_of_order_four) {
   BOOST_TEST_MESSAGE("order " << order);
   BOOST_TEST(std::abs(order - 4) < 0.3);
 }
-
-BOOST_AUTO_TEST_CASE(automatic_changes_over_where_the_edge_is_stiff_and_saves_work) {
-  auto edge = ice.exact(1e-14 * seconds);
-  const auto model = compose(ice.pair, hertz{}, ice.adhesive, edge, ice.viscous);
-  const impact fast{8.0 * metres_per_second};
-  const auto both = integrate(model, fast, {.tolerance = 1e-6});
-  const auto explicit_only = collide(model, fast, {.tolerance = 1e-6}, stepper::fehlberg78{});
-  BOOST_TEST(std::abs(*both.restitution - *explicit_only.restitution) < 2e-6);
-  BOOST_TEST(both.evaluations < explicit_only.evaluations / 2);
-}

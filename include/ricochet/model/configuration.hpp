@@ -12,4 +12,15 @@ struct configuration {
   typename S::root_length root_radius; ///< sqrt(a); filled in only where a law of the model declares uses_root_radius
 };
 
+/// A contact at one instant on plain numbers, and how its coordinate y moves in slowed time sigma.
+template <class T>
+struct contact_instant {
+  configuration<reduced<T>> c;
+  T clock;           ///< dt/d(sigma)
+  T coordinate_rate; ///< dy/d(sigma)
+  T root_ratio;      ///< sqrt(G/w); 1 for a slaved edge with adhesion, 0 without
+  T slowness;        ///< of a free edge: 0 where it runs at infinite speed
+  bool inside;       ///< false outside the domain of the equations
+};
+
 } // namespace ricochet

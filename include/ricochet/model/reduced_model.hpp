@@ -67,15 +67,7 @@ public:
   /// Least energy the contact has where it lets go; below it, it can never separate.
   const T& exit_energy() const { return exit_energy_; }
 
-  /// A contact at one instant, and how its coordinates move in slowed time.
-  struct instant {
-    configuration<reduced<T>> c;
-    T clock;           ///< dt/d(sigma)
-    T coordinate_rate; ///< dy/d(sigma)
-    T root_ratio;      ///< sqrt(G/w); 1 for a slaved edge with adhesion, 0 without
-    T slowness;        ///< of a free edge: 0 where it runs at infinite speed
-    bool inside;       ///< false outside the domain of the equations
-  };
+  using instant = contact_instant<T>;
 
   /// `piece` of the crack law to be used, or sliding(j) while the edge is held at joint j, where the law jumps and
   /// both sides of the jump push beta back to it; ignored without a crack law.

@@ -1,5 +1,6 @@
 #pragma once
 #include <ricochet/closed_form/closed_outcome.hpp>
+#include <ricochet/solve/automatic.hpp>
 #include <ricochet/solve/collision.hpp>
 
 namespace ricochet {

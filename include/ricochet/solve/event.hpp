@@ -1,5 +1,7 @@
 #pragma once
-#include <ricochet/solve/flow.hpp>
+#include <ricochet/solve/stepper.hpp>
+
+#include <optional>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -92,5 +94,87 @@ Real locate_event(const ValueAt& value_at, const Real& h, const Real& at_start, 
       iterations);
   return bracket.first;
 }
+
+/// An event found within a step, and the part of the step after which it happens; `valid` is false for one that this
+/// step is too long to bracket.
+template <class Real>
+struct found_event {
+  std::optional<event> which;
+  Real part;
+  bool valid;
+};
+
+/// Watches a flow for the events of its model. An event can only happen once its value has been seen positive: one that
+/// has just been located does not happen again by its own round-off.
+template <class Flow>
+class event_watch {
+  using T = typename Flow::number;
+  using real = typename Flow::real;
+  using state_type = typename Flow::state_type;
+  using model_type = std::remove_cvref_t<decltype(std::declval<Flow>().model)>;
+
+public:
+  explicit event_watch(Flow& flow) : flow_(flow), values_(flow.model) {}
+
+  /// A contact begins, or an event has just happened.
+  void restart(const state_type& x, bool approaching) {
+    approaching_ = approaching;
+    armed_.fill(false);
+    arm(x);
+  }
+  void arm(const state_type& x) {
+    for (std::size_t i = 0; i < event_count; ++i)
+      armed_[i] = armed_[i] || value_of(value(event{int(i)}, x)) > real(0);
+  }
+  void disarm(event which) { armed_[std::size_t(which)] = false; }
+
+  /// The earliest armed event within the step tried. Each event is looked for only up to the earliest found so far,
+  /// where its value is taken anew: past the end of a contact, the values of other events mean nothing.
+  template <class Method>
+  found_event<real> first(Method& method, const state_type& x, const attempt<state_type, real>& tried) {
+    found_event<real> found{std::nullopt, tried.taken, true};
+    state_type last = tried.x;
+    for (const event which :
+         {event::letting_go, event::zero_force, event::turning, event::leaving_below, event::leaving_above}) {
+      const real at_end = value_of(value(which, last));
+      if (!armed_[std::size_t(which)] || at_end > real(0))
+        continue;
+      const real at_start = value_of(value(which, x));
+      if (!(at_start > real(0)))
+        return {which, found.part, false};
+      const real part =
+          locate_event([&](const real& h) -> real { return value_of(value(which, method.within(flow_, x, h))); },
+                       found.part, at_start, at_end);
+      found = {which, std::min<real>(part, tried.taken * (1 - std::numeric_limits<real>::epsilon())), true};
+      last = method.within(flow_, x, found.part);
+    }
+    return found;
+  }
+
+  /// One Newton step onto the event in the full scalar type, so that derivatives come out; h is the step's size.
+  void polish(event which, state_type& x, const real& h) {
+    state_type dx{}, ahead = x;
+    flow_(x, dx, real(0));
+    const real step = h * real(1e-6f);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      ahead[i] += step * dx[i];
+    const T here = value(which, x);
+    const real slope = (value_of(value(which, ahead)) - value_of(here)) / step;
+    if (slope == real(0))
+      return;
+    const T correction = -here / slope;
+    if (value_of(correction) < step && -value_of(correction) < step)
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] += correction * dx[i];
+  }
+
+private:
+  T value(event which, const state_type& x) const { return values_.value(which, x, flow_.piece, approaching_); }
+
+  Flow& flow_;
+  event_values<model_type> values_;
+  std::array<bool, event_count> armed_{};
+  bool approaching_ = true;
+};
 
 } // namespace ricochet

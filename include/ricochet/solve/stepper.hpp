@@ -1,6 +1,6 @@
 // How one step is made with each kind of odeint stepper, and how its size is chosen. Tested with ricochet:
 // stepper::runge_kutta4, cash_karp54, dopri5, fehlberg78, bulirsch_stoer, bulirsch_stoer_dense_out (steppers.hpp) and
-// rosenbrock4 (rosenbrock.hpp); stepper::automatic is what collide() takes by itself.
+// rosenbrock4 (rosenbrock.hpp); stepper::automatic (automatic.hpp) is what collide() takes by itself.
 #pragma once
 #include <ricochet/solve/flow.hpp>
 
