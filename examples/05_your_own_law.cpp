@@ -51,5 +51,5 @@ int main() {
       return 1;
     last = *out.restitution;
   }
-  return last < 0.9 ? 0 : 1;
+  return last < 0.95 ? 0 : 1;
 }

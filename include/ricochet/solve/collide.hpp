@@ -51,7 +51,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     }
     // Error of the energy left, in units of the initial one. The energy at the turning point is compared too, lest
     // errors of the two legs that happen to cancel pass for accuracy.
-    const real round_off = 64 * std::numeric_limits<real>::epsilon() * fine.largest_energy() / kinetic;
+    const real round_off = 32 * std::numeric_limits<real>::epsilon() * fine.largest_energy() / kinetic;
     const real first_leg = abs(value_of(fine.energy_at_turning() - coarse.energy_at_turning())) / kinetic;
     const real energy_error =
         max<real>(abs(value_of(fine.remaining_energy() - coarse.remaining_energy())) / kinetic, first_leg) + round_off;
