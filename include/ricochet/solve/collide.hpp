@@ -37,6 +37,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
         fine(model, tolerance / refinement, options.max_evaluations);
     const auto rough = coarse.solve(speed);
     auto out = fine.solve(speed);
+    const long fine_evaluations = out.evaluations;
     out.evaluations = evaluations += rough.evaluations + out.evaluations;
     out.rejected_steps = rejected += rough.rejected_steps + out.rejected_steps;
     const bool last_round = tolerance <= finest || round == 6;
@@ -51,11 +52,13 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     }
     // Error of the energy left, in units of the initial one. The energy at the turning point is compared too, lest
     // errors of the two legs that happen to cancel pass for accuracy.
-    const real round_off = 32 * std::numeric_limits<real>::epsilon() * fine.largest_energy() / kinetic;
+    const real roundings =
+        16 + static_cast<real>(fine_evaluations / 50); // that add up over the steps, as far as they do
+    const real round_off = roundings * std::numeric_limits<real>::epsilon() * fine.largest_energy() / kinetic;
     const real first_leg = abs(value_of(fine.energy_at_turning() - coarse.energy_at_turning())) / kinetic;
+    const real excess = abs(value_of(fine.excess_energy())) / kinetic;
     const real energy_error =
-        max<real>(abs(value_of(fine.remaining_energy() - coarse.remaining_energy())) / kinetic, first_leg) + round_off;
-    const real margin = abs(value_of(fine.remaining_energy()) - value_of(model.exit_energy())) / kinetic;
+        max<real>(abs(value_of(fine.excess_energy() - coarse.excess_energy())) / kinetic, first_leg) + round_off;
     real error = 0;
     if (out.restitution) {
       if (value_of(*out.restitution) > real(1)) // losses never are negative: what exceeds one is error
@@ -65,7 +68,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
         error = max<real>(abs(e - value_of(*rough.restitution)), first_leg) + round_off;
       else // the energy decides: e = sqrt(energy left)
         error = min<real>(energy_error / max<real>(e, std::numeric_limits<real>::min()), sqrt(energy_error));
-    } else if (margin < energy_error) {
+    } else if (excess < 2 * energy_error) {
       error = sqrt(energy_error);
     }
     out.ending_is_certain = rough.ending == out.ending;
@@ -73,7 +76,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
       out.ending_is_certain &= value_of(*out.restitution) > 2 * error;
     } else { // captured by its energy, and not by a hair's breadth when the edge let go of bodies already approaching
       const real miss = abs(fine.near_miss() - coarse.near_miss()) + round_off;
-      out.ending_is_certain &= margin > energy_error && !(fine.near_miss() < miss);
+      out.ending_is_certain &= excess > 2 * energy_error && !(fine.near_miss() < miss);
     }
     out.error_estimate = static_cast<double>(error);
     if ((error <= wanted && out.ending_is_certain) || last_round)

@@ -51,8 +51,10 @@ public:
     return out_;
   }
 
-  /// Kinetic + elastic + surface energy at the ending.
-  const T& remaining_energy() const { return ledger_.remaining(); }
+  /// Energy beyond what the contact has where it lets go: kinetic energy of separated bodies, negative when captured.
+  T excess_energy() const {
+    return out_.ending == ending::separated ? ledger_.remaining() : T(ledger_.remaining() - model_.exit_energy());
+  }
   /// Potential energy at the first turning point.
   const T& energy_at_turning() const { return energy_at_turning_; }
   /// Approach rate over the impact's speed where the edge first let go of bodies that were approaching; infinite if
