@@ -28,6 +28,9 @@ const length interaction_range = 0.3 * nanometres;
 
 const speed slowest = 0.1 * metres_per_second, fastest = 100.0 * metres_per_second;
 constexpr std::size_t speeds_per_instance = 401;
+const std::string about =
+    "two water-ice spheres: radius 2e-6 m, E 7e9 Pa, nu 0.25, density 1000 kg/m^3, work of adhesion "
+    "0.74 J/m^2, T_vis 1e-11 s, k 0.02, z0 3e-10 m, A = T_vis/nu^2; tolerance 1e-8; 0 = captured";
 
 struct curve {
   std::string name;
@@ -46,7 +49,7 @@ curve draw(const char* name, const Model& model, const std::vector<speed>& speed
   if (result.restitution.front() == 0)
     result.sticking_speed = in_si(sticking_speed(model, slowest, fastest).value());
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-  std::printf("  %-36s %4zu speeds, %6.1f ms", name, speeds.size(), taken.count());
+  std::printf("  %-38s %4zu speeds, %6.1f ms", name, speeds.size(), taken.count());
   std::printf(result.sticking_speed > 0 ? ", sticks up to %.9f m/s\n" : ", never sticks\n", result.sticking_speed);
   std::fflush(stdout);
   return result;
@@ -88,7 +91,7 @@ void write(const std::string& directory, const std::vector<speed>& speeds, const
   std::vector<column> columns{{"speed", "m/s"}};
   for (const curve& each : curves)
     columns.push_back({each.name, "1"});
-  table restitution(directory + "/restitution_curves.csv", "restitution_curves " + directory, columns);
+  table restitution(directory + "/restitution_curves.csv", "restitution_curves " + directory, about, columns);
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     std::vector<double> row{in_si(speeds[i])};
     for (const curve& each : curves)
@@ -104,7 +107,7 @@ void write(const std::string& directory, const std::vector<speed>& speeds, const
       columns.push_back({each.name, "m/s"});
       row.push_back(each.sticking_speed);
     }
-  table sticking(directory + "/sticking_speeds.csv", "restitution_curves " + directory, columns);
+  table sticking(directory + "/sticking_speeds.csv", "restitution_curves " + directory, about, columns);
   sticking.row(row);
   sticking.finish();
 }
@@ -119,7 +122,7 @@ int main(int count, char** arguments) {
   }
   try {
     const auto begin = std::chrono::steady_clock::now();
-    std::printf("two water-ice spheres of radius 2 um, T_vis = 1e-11 s, k = 0.02, tolerance 1e-8\n");
+    std::printf("%s\n", about.c_str());
     const std::vector<speed> speeds = logarithmic_speeds(slowest, fastest, speeds_per_instance);
     const std::vector<curve> curves = draw_all(speeds);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;

@@ -14,10 +14,10 @@ set yrange [0:1.05]
 set format x '%g'
 set grid xtics ytics lc rgb '#dddddd' lt 1
 set key bottom right box lc rgb '#bbbbbb' opaque spacing 1.2 width 1
-set label 1 "two water-ice spheres, radius 2 {/Symbol m}m\nw = 0.74 J/m^2, T_{vis} = 10^{-11} s, k = 0.02" at graph 0.03,0.6
+set title "two water-ice spheres, radius 2 {/Symbol m}m, w = 0.74 J/m^2, T_{vis} = 10^{-11} s, k = 0.02"
 
 plot_all = "\
-  curves using 'speed':'hertz' with lines lw 1.5 dt 3 lc rgb '#999999' title 'Hertz', \
+  curves using 'speed':'hertz' with lines lw 2 dt 3 lc rgb '#555555' title 'Hertz', \
   curves using 'speed':'hertz+kuwabara_kono' with lines lw 2 dt 2 lc rgb '#e69f00' title 'viscous Hertz', \
   curves using 'speed':(column('hertz+jkr')) with lines lw 2 dt 2 lc rgb '#0072b2' title 'JKR', \
   curves using 'speed':'independent_losses' with lines lw 2 dt 4 lc rgb '#009e73' title 'losses added, Krijt (27)', \

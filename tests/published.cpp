@@ -33,7 +33,10 @@ const std::map<std::string, std::function<double()>> ours{
        return *closed_form::independent_losses(ice.pair, ice.adhesive.work_of_adhesion, ice.viscous.bulk_time, eight);
      }},
     {"crack loss / initial kinetic energy (without the jump at touch)",
-     [] { return out.trajectory.crack_loss.back() / out.trajectory.kinetic_energy.front(); }},
+     [] {
+       const auto& lost = out.trajectory.crack_loss; // without the jumps at touch, first row, and at the end, last row
+       return (lost[lost.size() - 2] - lost.front()) / out.trajectory.kinetic_energy.front();
+     }},
     {"bulk loss / initial kinetic energy", [] { return out.bulk_loss; }},
     {"largest elastic tension (F_E alone; 2.365 with F_D) / JKR pull-off force",
      [] {

@@ -15,9 +15,9 @@ constexpr const char* everyone = "every collision"; ///< who needs a column that
 
 /// Column of a law's parameter; empty for one that keeps its default.
 std::string column_of(std::string_view parameter) {
-  if (parameter == "damping_per_speed")
+  if (parameter == "damping_coefficient")
     return "hunt_crossley_coefficient";
-  if (parameter == "damping_ratio")
+  if (parameter == "damping_coefficient")
     return "tsuji_coefficient";
   if (parameter == "first_ratio_over_k")
     return "";

@@ -51,6 +51,12 @@ inline constexpr force newtons = 1.0 * si::newton;
 inline constexpr energy joules = 1.0 * si::joule;
 inline constexpr energy_per_area joules_per_square_metre = 1.0 * si::newton_per_meter;
 inline constexpr inverse_speed seconds_per_metre = 1.0 / (1.0 * si::meter_per_second);
+
+/// Whole numbers count too: `2 * micrometres`.
+template <class Unit>
+constexpr auto operator*(int n, const boost::units::quantity<Unit>& unit) {
+  return static_cast<double>(n) * unit;
+}
 } // namespace units
 
 /// Number system of the door: Boost.Units quantities, so that a wrong exponent does not compile.

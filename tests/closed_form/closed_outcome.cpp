@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(only_what_a_closed_form_can_answer_is_solved_by_it) {
   static_assert(!is_solved<decltype(viscoelastic_jkr(s))>);
   // Overdamped, to zero overlap: captured without any work.
   scene overdamped = s;
-  overdamped.damping_ratio = 3;
+  overdamped.tsuji_coefficient = 3;
   const auto stuck = collide(tsuji_hertz(overdamped, end_at_zero_overlap{}), impact{s.speed});
   BOOST_TEST(name_of(stuck.ending) == "captured");
   BOOST_TEST(stuck.evaluations == 0);

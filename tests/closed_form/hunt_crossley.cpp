@@ -34,12 +34,12 @@ BOOST_AUTO_TEST_CASE(agrees_with_integration) {
   double worst_e = 0, worst_time = 0;
   for (int i = 0; i < 40; ++i) {
     auto s = random.next();
-    s.damping_per_speed = random.log_uniform(1e-3, 30) / s.speed;
+    s.damping_coefficient = random.log_uniform(1e-3, 30) / s.speed;
     const auto out = integrate(hunt_crossley_hertz(s, contact_duration{}), impact{s.speed}, {.tolerance = 1e-12});
     BOOST_TEST_REQUIRE(out.restitution.has_value());
-    worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution(s.damping_per_speed, s.speed)));
+    worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution(s.damping_coefficient, s.speed)));
     worst_time = std::max(worst_time, deviation(in_si(out.contact_duration),
-                                                in_si(closed::contact_duration(s.pair, s.damping_per_speed, s.speed))));
+                                                in_si(closed::contact_duration(s.pair, s.damping_coefficient, s.speed))));
   }
   BOOST_TEST_MESSAGE("largest deviations: e " << worst_e << ", duration " << worst_time);
   BOOST_TEST(worst_e < 1e-11);   // ten times the tolerance of the integration
@@ -97,10 +97,10 @@ BOOST_AUTO_TEST_CASE(monotone) {
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_named) {
   const inverse_speed c = 0.1 / one, wrong = -0.25 / one;
-  BOOST_CHECK_EXCEPTION(closed::restitution(wrong, one), bad_input, says("damping_per_speed", "-0.25 s/m", "[0, inf)"));
+  BOOST_CHECK_EXCEPTION(closed::restitution(wrong, one), bad_input, says("damping_coefficient", "-0.25 s/m", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::restitution(c, -one), bad_input, says("speed", "-1 m/s", "(0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::contact_duration(pair, wrong, one), bad_input,
-                        says("damping_per_speed", "-0.25 s/m", "[0, inf)"));
+                        says("damping_coefficient", "-0.25 s/m", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::contact_duration(pair, c, 0.0 * one), bad_input, says("speed", "0 m/s", "(0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::contact_duration(contact_pair{}, c, one), bad_input,
                         says("reduced_modulus", "0 Pa", "(0, inf)"));

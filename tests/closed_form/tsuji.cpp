@@ -29,13 +29,13 @@ BOOST_AUTO_TEST_CASE(zero_force_agrees_with_integration) {
   double worst_e = 0, worst_time = 0;
   for (int i = 0; i < 50; ++i) {
     auto s = random.next();
-    s.damping_ratio = i == 0 ? critical : random.log_uniform(1e-4, 10);
+    s.damping_coefficient = i == 0 ? critical : random.log_uniform(1e-4, 10);
     const auto out = integrate(tsuji_hertz(s, contact_duration{}), impact{s.speed}, {.tolerance = 1e-12});
     BOOST_TEST_REQUIRE(out.restitution.has_value());
-    worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution_to_zero_force(s.damping_ratio)));
+    worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution_to_zero_force(s.damping_coefficient)));
     worst_time = std::max(worst_time,
                           deviation(in_si(out.contact_duration),
-                                    in_si(closed::contact_duration_to_zero_force(s.pair, s.damping_ratio, s.speed))));
+                                    in_si(closed::contact_duration_to_zero_force(s.pair, s.damping_coefficient, s.speed))));
   }
   BOOST_TEST_MESSAGE("largest deviations: e " << worst_e << ", duration " << worst_time);
   BOOST_TEST(worst_e < 1e-11);   // ten times the tolerance of the integration
@@ -47,14 +47,14 @@ BOOST_AUTO_TEST_CASE(zero_overlap_agrees_with_integration) {
   double worst_e = 0, worst_time = 0;
   for (int i = 0; i < 40; ++i) {
     auto s = random.next();
-    s.damping_ratio = random.log_uniform(1e-4, 1.8);
+    s.damping_coefficient = random.log_uniform(1e-4, 1.8);
     const auto out =
         integrate(tsuji_hertz(s, end_at_zero_overlap{}, contact_duration{}), impact{s.speed}, {.tolerance = 1e-12});
     BOOST_TEST_REQUIRE(out.restitution.has_value());
-    worst_e = std::max(worst_e, std::abs(*out.restitution - *closed::restitution_to_zero_overlap(s.damping_ratio)));
+    worst_e = std::max(worst_e, std::abs(*out.restitution - *closed::restitution_to_zero_overlap(s.damping_coefficient)));
     worst_time = std::max(
         worst_time, deviation(in_si(out.contact_duration),
-                              in_si(*closed::contact_duration_to_zero_overlap(s.pair, s.damping_ratio, s.speed))));
+                              in_si(*closed::contact_duration_to_zero_overlap(s.pair, s.damping_coefficient, s.speed))));
   }
   BOOST_TEST_MESSAGE("largest deviations: e " << worst_e << ", duration " << worst_time);
   BOOST_TEST(worst_e < 1e-11);   // ten times the tolerance of the integration
@@ -117,10 +117,10 @@ BOOST_AUTO_TEST_CASE(zero_overlap_is_never_reached_beyond_critical_damping) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(damping_ratio_inverts_zero_overlap) {
-  BOOST_TEST(closed::damping_ratio_for(1) == 0);
+BOOST_AUTO_TEST_CASE(damping_coefficient_inverts_zero_overlap) {
+  BOOST_TEST(closed::damping_coefficient_for(1) == 0);
   for (const double e : {0.999999, 0.9, 0.5, 0.1, 1e-3, 1e-6}) {
-    const double alpha = closed::damping_ratio_for(e);
+    const double alpha = closed::damping_coefficient_for(e);
     // An ulp of zeta moves ln e by pi/(1 - zeta^2)^{3/2} ulps, at most 300 for 1e-6: 1e-13.
     BOOST_TEST(deviation(*closed::restitution_to_zero_overlap(alpha), e) < 1e-13);
     BOOST_TEST(closed::restitution_to_zero_force(alpha) > e);
@@ -128,17 +128,17 @@ BOOST_AUTO_TEST_CASE(damping_ratio_inverts_zero_overlap) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_named) {
-  BOOST_CHECK_EXCEPTION(closed::restitution_to_zero_force(-0.5), bad_input, says("damping_ratio", "-0.5", "[0, inf)"));
+  BOOST_CHECK_EXCEPTION(closed::restitution_to_zero_force(-0.5), bad_input, says("damping_coefficient", "-0.5", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::restitution_to_zero_overlap(-0.5), bad_input,
-                        says("damping_ratio", "-0.5", "[0, inf)"));
+                        says("damping_coefficient", "-0.5", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::contact_duration_to_zero_force(pair, -0.5, one), bad_input,
-                        says("damping_ratio", "-0.5", "[0, inf)"));
+                        says("damping_coefficient", "-0.5", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::contact_duration_to_zero_overlap(pair, -0.5, one), bad_input,
-                        says("damping_ratio", "-0.5", "[0, inf)"));
+                        says("damping_coefficient", "-0.5", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::contact_duration_to_zero_force(pair, 1, -one), bad_input,
                         says("speed", "-1 m/s", "(0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::contact_duration_to_zero_overlap(pair, 3, -one), bad_input,
                         says("speed", "-1 m/s", "(0, inf)"));
-  BOOST_CHECK_EXCEPTION(closed::damping_ratio_for(0), bad_input, says("restitution", "= 0 ", "(0, 1]"));
-  BOOST_CHECK_EXCEPTION(closed::damping_ratio_for(1.5), bad_input, says("restitution", "1.5", "(0, 1]"));
+  BOOST_CHECK_EXCEPTION(closed::damping_coefficient_for(0), bad_input, says("restitution", "= 0 ", "(0, 1]"));
+  BOOST_CHECK_EXCEPTION(closed::damping_coefficient_for(1.5), bad_input, says("restitution", "1.5", "(0, 1]"));
 }

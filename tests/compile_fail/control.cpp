@@ -26,7 +26,7 @@ int main() {
   compose(pair, hertz{});
   compose(pair, hertz{}, bulk, end_at_zero_overlap{});
   compose(pair, hertz{}, adhesion);
-  compose(pair, hertz{}, adhesion, tsuji{.damping_ratio = 0.1});
+  compose(pair, hertz{}, adhesion, tsuji{.damping_coefficient = 0.1});
   compose(pair, hertz{}, adhesion, finished_law<dimensional>{1.0 * seconds});
   compose(pair, hertz{}, jkr{.work_of_adhesion = 1.0 * joules_per_square_metre});
   const state<double, variables<mutual_approach_t, approach_rate_t, contact_radius_t>> x{};

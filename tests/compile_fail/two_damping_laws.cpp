@@ -2,4 +2,4 @@
 
 #include "scene.hpp"
 
-int main() { compose(pair, hertz{}, bulk, tsuji{.damping_ratio = 0.1}); }
+int main() { compose(pair, hertz{}, bulk, tsuji{.damping_coefficient = 0.1}); }

@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(no_work_of_adhesion_is_jkr_without_tension) {
 }
 
 BOOST_AUTO_TEST_CASE(overdamped_contacts_do_not_hang) {
-  const auto stuck = integrate(compose(ice.pair, hertz{}, tsuji{.damping_ratio = 5}, end_at_zero_overlap{}), at(1),
+  const auto stuck = integrate(compose(ice.pair, hertz{}, tsuji{.damping_coefficient = 5}, end_at_zero_overlap{}), at(1),
                                {.max_evaluations = 100'000});
   BOOST_TEST((stuck.ending == ending::unresolved || stuck.ending == ending::captured));
   const auto creeping = collide(compose(ice.pair, hertz{}, kuwabara_kono{1e-6 * seconds}), at(1));

@@ -21,9 +21,9 @@ struct scene {
   energy_per_area work_of_adhesion;
   ricochet::speed speed;
   duration relaxation_time, bulk_time;
-  double modulus_ratio, damping_ratio;
+  double modulus_ratio, tsuji_coefficient;
   length interaction_range;
-  inverse_speed damping_per_speed;
+  inverse_speed hunt_crossley_coefficient;
 };
 
 class scenes {
@@ -49,8 +49,8 @@ public:
     s.bulk_time = contact_time * log_uniform(1e-3, 0.1) * seconds;
     s.modulus_ratio = log_uniform(2e-3, 0.5);
     s.interaction_range = log_uniform(2e-10, 4e-10) * metres;
-    s.damping_per_speed = log_uniform(1e-2, 1) / s.speed;
-    s.damping_ratio = log_uniform(1e-2, 2);
+    s.hunt_crossley_coefficient = log_uniform(1e-2, 1) / s.speed;
+    s.tsuji_coefficient = log_uniform(1e-2, 2);
     return s;
   }
 
@@ -66,9 +66,9 @@ private:
 inline auto hertzian(const scene& s, auto... also) { return compose(s.pair, hertz{}, also...); }
 inline auto viscous_hertz(const scene& s, auto... also) { return hertzian(s, kuwabara_kono{s.bulk_time}, also...); }
 inline auto hunt_crossley_hertz(const scene& s, auto... also) {
-  return hertzian(s, hunt_crossley{s.damping_per_speed}, also...);
+  return hertzian(s, hunt_crossley{s.hunt_crossley_coefficient}, also...);
 }
-inline auto tsuji_hertz(const scene& s, auto... also) { return hertzian(s, tsuji{s.damping_ratio}, also...); }
+inline auto tsuji_hertz(const scene& s, auto... also) { return hertzian(s, tsuji{s.tsuji_coefficient}, also...); }
 inline auto static_jkr(const scene& s, auto... also) { return hertzian(s, jkr{s.work_of_adhesion}, also...); }
 inline auto viscous_jkr(const scene& s, auto... also) { return static_jkr(s, kuwabara_kono{s.bulk_time}, also...); }
 inline auto viscoelastic_jkr_fit(const scene& s, auto... also) {

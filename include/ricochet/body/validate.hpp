@@ -32,6 +32,13 @@ struct range {
   }
 };
 
+/// A number as messages show it.
+inline std::string shown(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", x);
+  return text;
+}
+
 inline constexpr range positive{.low_included = false};
 inline constexpr range non_negative{};
 inline constexpr range poissons_ratio_range{.high = 0.5};
@@ -43,10 +50,8 @@ void require(const std::string& name, const Quantity& quantity, const range& all
   const double x = in_si(quantity);
   if (allowed.contains(x))
     return;
-  char value[40];
-  std::snprintf(value, sizeof value, "%.9g", x);
   const std::string unit = unit_symbol(quantity);
-  throw bad_input(name + " = " + value + (unit.empty() ? "" : " " + unit) + " is outside " + allowed.text() +
+  throw bad_input(name + " = " + shown(x) + (unit.empty() ? "" : " " + unit) + " is outside " + allowed.text() +
                   (unit.empty() ? "" : " " + unit));
 }
 

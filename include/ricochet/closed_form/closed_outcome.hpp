@@ -55,11 +55,11 @@ outcome_of<Model> solve(const Model& model, speed v) {
     if constexpr (Model::asked.duration)
       time = contact_time(model.pair, v);
   } else if constexpr (std::same_as<decltype(Model::damping), hunt_crossley>) {
-    out.restitution = restitution(model.damping.damping_per_speed, v);
+    out.restitution = restitution(model.damping.damping_coefficient, v);
     if constexpr (Model::asked.duration)
-      time = contact_duration(model.pair, model.damping.damping_per_speed, v);
+      time = contact_duration(model.pair, model.damping.damping_coefficient, v);
   } else {
-    const double alpha = model.damping.damping_ratio;
+    const double alpha = model.damping.damping_coefficient;
     if constexpr (to_zero_overlap) {
       out.restitution = restitution_to_zero_overlap(alpha);
       if constexpr (Model::asked.duration)

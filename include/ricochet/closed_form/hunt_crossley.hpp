@@ -42,7 +42,7 @@ struct hunt_crossley_impact {
 };
 
 inline double damping_group(inverse_speed c, speed v) {
-  require("damping_per_speed", c, non_negative);
+  require("damping_coefficient", c, non_negative);
   require("speed", v, positive);
   return c * v;
 }
@@ -51,7 +51,7 @@ inline double damping_group(inverse_speed c, speed v) {
 
 /// Restitution with F = K delta^n (1 + c d(delta)/dt), whatever n > 0.
 /// ln[(1 + c v)/(1 - c e v)] = c v (1 + e), solved for L = ln(1 - c e v), so without cancellation; error below 1e-14
-/// c: damping_per_speed, s/m, >= 0; v: speed of approach at touch, m/s, > 0.
+/// c: damping_coefficient, s/m, >= 0; v: speed of approach at touch, m/s, > 0.
 /// Valid for every c v; overlap and force vanish together, so there is one end only.
 /// Source: Hunt & Crossley 1975, integrated; for c v -> 0 it is 1 - 2cv/3, for c v -> infinity 1/(c v).
 inline double restitution(inverse_speed c, speed v) {
@@ -63,7 +63,7 @@ inline double restitution(inverse_speed c, speed v) {
 
 /// Time in contact with F = K delta^{3/2} (1 + c d(delta)/dt).
 /// t = (m*/cK) int dL/delta^{3/2} over ln(1 + c v) > L > ln(1 - c e v), (2/5) K delta^{5/2} = stored energy at L
-/// pair: E* (Pa), R (m), m* (kg), all > 0; c: damping_per_speed, s/m, >= 0; v: speed at touch, m/s, > 0.
+/// pair: E* (Pa), R (m), m* (kg), all > 0; c: damping_coefficient, s/m, >= 0; v: speed at touch, m/s, > 0.
 /// Valid for every c v.
 /// Source: Hunt & Crossley 1975, integrated; for c v -> 0 it is contact_time(pair, v).
 inline duration contact_duration(const contact_pair& pair, inverse_speed c, speed v) {

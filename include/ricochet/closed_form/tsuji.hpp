@@ -17,8 +17,8 @@ namespace detail {
 struct tsuji_impact {
   double zeta, s;
 
-  explicit tsuji_impact(double damping_ratio)
-      : zeta(damping_ratio / std::sqrt(5.)), s(std::sqrt(std::abs(1 - zeta)) * std::sqrt(1 + zeta)) {}
+  explicit tsuji_impact(double damping_coefficient)
+      : zeta(damping_coefficient / std::sqrt(5.)), s(std::sqrt(std::abs(1 - zeta)) * std::sqrt(1 + zeta)) {}
 
   /// acos(zeta)/s, acosh(zeta)/s beyond 1.
   double half_angle() const {
@@ -52,29 +52,29 @@ struct tsuji_impact {
   }
 };
 
-inline tsuji_impact tsuji_at(double damping_ratio) {
-  require("damping_ratio", damping_ratio, non_negative);
-  return tsuji_impact(damping_ratio);
+inline tsuji_impact tsuji_at(double damping_coefficient) {
+  require("damping_coefficient", damping_coefficient, non_negative);
+  return tsuji_impact(damping_coefficient);
 }
 
 } // namespace detail
 
 /// Restitution of a contact that ends where the force vanishes.
 /// e = exp(-zeta acos(2 zeta^2 - 1)/sqrt(1 - zeta^2)), acosh and sqrt(zeta^2 - 1) for zeta > 1, e^-2 at 1; zeta =
-/// alpha/sqrt 5 damping_ratio: alpha, dimensionless, >= 0. Valid for every alpha; the same at every speed. Source:
+/// alpha/sqrt 5 damping_coefficient: alpha, dimensionless, >= 0. Valid for every alpha; the same at every speed. Source:
 /// Tsuji et al. 1992 with the end of Schwager & Poeschel 2007; written as 2 acos(zeta), stable through zeta = 1.
-inline double restitution_to_zero_force(double damping_ratio) {
-  const auto impact = detail::tsuji_at(damping_ratio);
+inline double restitution_to_zero_force(double damping_coefficient) {
+  const auto impact = detail::tsuji_at(damping_coefficient);
   return std::exp(-2 * impact.zeta * impact.half_angle());
 }
 
 /// Restitution of a contact that pulls until the overlap vanishes; nothing if it never does (alpha >= sqrt 5).
 /// e = exp(-pi zeta/sqrt(1 - zeta^2)), zeta = alpha/sqrt 5
-/// damping_ratio: alpha, dimensionless, >= 0.
+/// damping_coefficient: alpha, dimensionless, >= 0.
 /// Valid for every alpha; the same at every speed.
 /// Source: Tsuji et al. 1992; Antypov & Elliott 2011.
-inline std::optional<double> restitution_to_zero_overlap(double damping_ratio) {
-  const auto impact = detail::tsuji_at(damping_ratio);
+inline std::optional<double> restitution_to_zero_overlap(double damping_coefficient) {
+  const auto impact = detail::tsuji_at(damping_coefficient);
   return impact.zeta < 1 ? std::optional(std::exp(-pi<double>() * impact.zeta / impact.s)) : std::nullopt;
 }
 
@@ -83,7 +83,7 @@ inline std::optional<double> restitution_to_zero_overlap(double damping_ratio) {
 /// restitution: e, dimensionless, in (0, 1].
 /// Valid for that end only: with the end at zero force the same alpha gives a larger restitution.
 /// Source: Antypov & Elliott 2011.
-inline double damping_ratio_for(double restitution) {
+inline double damping_coefficient_for(double restitution) {
   require("restitution", restitution, range{.high = 1, .low_included = false, .high_included = true});
   const double fall = -std::log(restitution);
   return std::sqrt(5.) * fall / std::hypot(pi<double>(), fall);
@@ -91,23 +91,23 @@ inline double damping_ratio_for(double restitution) {
 
 /// Time in contact until the force vanishes.
 /// t = (4/5)(delta_Hertz/v) int (exp(-zeta theta) S(theta))^{-1/5} d theta, S = sin(s theta)/s, s^2 = 1 - zeta^2
-/// pair: E* (Pa), R (m), m* (kg), all > 0; damping_ratio: alpha, >= 0; v: speed at touch, m/s, > 0.
+/// pair: E* (Pa), R (m), m* (kg), all > 0; damping_coefficient: alpha, >= 0; v: speed at touch, m/s, > 0.
 /// Valid for every alpha.
 /// Source: Tsuji et al. 1992, integrated; alpha = 0 is contact_time(pair, v).
-inline duration contact_duration_to_zero_force(const contact_pair& pair, double damping_ratio, speed v) {
-  const auto impact = detail::tsuji_at(damping_ratio);
+inline duration contact_duration_to_zero_force(const contact_pair& pair, double damping_coefficient, speed v) {
+  const auto impact = detail::tsuji_at(damping_coefficient);
   const double zeta = impact.zeta;
   return 0.8 * max_approach(pair, v) / v * impact.duration(2 * impact.half_angle(), 2 * zeta, 2 * zeta * zeta - 1);
 }
 
 /// Time in contact until the overlap vanishes; nothing if it never does (alpha >= sqrt 5).
 /// As contact_duration_to_zero_force(), up to theta = pi/s; it grows as exp(pi zeta/5s) and overflows to infinity
-/// pair: E* (Pa), R (m), m* (kg), all > 0; damping_ratio: alpha, >= 0; v: speed at touch, m/s, > 0.
+/// pair: E* (Pa), R (m), m* (kg), all > 0; damping_coefficient: alpha, >= 0; v: speed at touch, m/s, > 0.
 /// Valid for every alpha.
 /// Source: Tsuji et al. 1992, integrated; alpha = 0 is contact_time(pair, v).
-inline std::optional<duration> contact_duration_to_zero_overlap(const contact_pair& pair, double damping_ratio,
+inline std::optional<duration> contact_duration_to_zero_overlap(const contact_pair& pair, double damping_coefficient,
                                                                 speed v) {
-  const auto impact = detail::tsuji_at(damping_ratio);
+  const auto impact = detail::tsuji_at(damping_coefficient);
   const length depth = max_approach(pair, v);
   if (impact.zeta >= 1)
     return std::nullopt;

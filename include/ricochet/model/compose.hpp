@@ -47,8 +47,39 @@ constexpr auto pick(const Fallback& fallback, const First& first, const Rest&...
 template <class Request, class... Arguments>
 inline constexpr bool names = (std::same_as<Request, Arguments> || ...);
 
+/// Instantiates a law's formulas on Boost.Units quantities, without ever calling them: a wrong exponent in the law of a
+/// user does not compile either.
+template <class Law>
+void check_dimensions() {
+  using pair = const contact_pair&;
+  using part = const configuration<dimensional>&;
+  if constexpr (plays<Law, role::elastic>)
+    (void)[](const Law& law, pair p, part c) {
+      (void)force(law.force(p, c));
+      (void)energy(law.stored_energy(p, c));
+      (void)energy_per_area(law.energy_release_rate(p, c));
+      (void)length(law.load_free_approach(p, c.radius));
+      (void)double(law.load_free_slope(p, c.radius));
+    };
+  else if constexpr (plays<Law, role::adhesion>)
+    (void)[](const Law& law, pair p, part c) {
+      (void)energy_per_area(law.work_of_adhesion);
+      (void)energy(law.surface_energy(c.radius));
+      (void)root_length(law.flattening(p));
+      (void)length(law.touch_radius(p) + law.fold_radius(p) + law.contact_radius(p, c.approach));
+      (void)force(law.pull_off_force(p));
+      (void)energy(law.exit_energy(p));
+    };
+  else if constexpr (plays<Law, role::crack>)
+    (void)[](const Law& law, pair p, energy_per_area w) { (void)speed(law.speed_scale(p, w)); };
+  else if constexpr (plays<Law, role::damping>)
+    (void)[](const Law& law, pair p, part c) { (void)damping(law.coefficient(p, c)); };
+}
+
 template <class Law>
 void admit(Law& law) {
+  if constexpr (is_present<Law>)
+    check_dimensions<Law>();
   if constexpr (requires { Law::parameters(); })
     validate_law(law);
   if constexpr (requires { law.validate(); })

@@ -78,6 +78,8 @@ public:
     now.c.radius = root_coordinate ? T(y * y) : y;
     if constexpr (root_coordinate)
       now.c.root_radius = y;
+    else // no law has declared that it uses it: who does all the same, shall notice
+      now.c.root_radius = T(std::numeric_limits<real_of<T>>::quiet_NaN());
     now.inside = true;
     if constexpr (free_edge) {
       now.c.approach = x[mutual_approach];

@@ -57,8 +57,8 @@ struct trajectory_columns {
       elastic_energy, surface_energy, crack_loss, bulk_loss;
 };
 
-/// The motion, one row a state; in SI units once it leaves collide(). crack_loss and bulk_loss are filled where the
-/// ledger was asked for.
+/// The motion, one row a state; in SI units once it leaves collide(). crack_loss and bulk_loss (J, up to the row, jumps
+/// included, so that the energies add up to that of the impact) are filled where the ledger was asked for too.
 struct trajectory_result {
   trajectory_columns<std::vector<double>> trajectory;
 };

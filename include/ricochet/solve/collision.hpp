@@ -32,6 +32,7 @@ public:
       if (captured_ || !follow_contact(x))
         break;
       ledger_.let_go(now(x));
+      observers_.let_go(model_, ledger_, x, flow_.piece);
       if (value_of(x[approach_rate]) < real(0)) {
         out_.ending = ending::separated;
         out_.restitution = T(-x[approach_rate] / speed);
@@ -72,7 +73,7 @@ private:
     ledger_.touch(now(x));
     if (has_turned_)
       certify(x);
-    observers_.touched(model_, x);
+    observers_.touched(model_, ledger_, x);
   }
 
   /// Integrates until the contact lets go; false where the collision has ended otherwise.
@@ -100,7 +101,7 @@ private:
         continue;
       }
       if (!found.which) {
-        observers_.stepped(flow_, method, x, tried.x, tried.taken);
+        observers_.stepped(flow_, method, ledger_, x, tried.x, tried.taken);
         x = tried.x;
         kink.since += tried.taken;
         h = tried.next;
@@ -122,7 +123,7 @@ private:
         reject(tried.taken / 4);
         continue;
       }
-      observers_.stepped(flow_, method, x, reached, found.part);
+      observers_.stepped(flow_, method, ledger_, x, reached, found.part);
       x = reached;
       kink.since += found.part;
       if (at_kink)

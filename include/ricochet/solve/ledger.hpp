@@ -45,15 +45,25 @@ public:
   const T& remaining() const { return remaining_; }
   const real& largest() const { return largest_; }
 
+  /// What has been lost so far, at the edge and in the bulk, jumps included.
+  T crack_loss_at(const state_type& x) const {
+    if constexpr (Reduced::state_type::names::template contains<crack_loss_t>)
+      return jumps_ + x[crack_loss];
+    else
+      return jumps_;
+  }
+  T bulk_loss_at(const state_type& x) const {
+    if constexpr (Reduced::state_type::names::template contains<bulk_loss_t>)
+      return relaxed_ + x[bulk_loss];
+    else
+      return relaxed_;
+  }
+
   /// Where the model asks for it: losses and what remains in units of the initial kinetic energy.
   template <class Outcome>
   void report(Outcome& out, const state_type& x) const {
     if constexpr (Reduced::model_type::asked.ledger) {
-      T crack = jumps_, bulk = relaxed_;
-      if constexpr (Reduced::free_edge)
-        crack += x[crack_loss];
-      if constexpr (Reduced::damped)
-        bulk += x[bulk_loss];
+      const T crack = crack_loss_at(x), bulk = bulk_loss_at(x);
       out.crack_loss = crack / initial_;
       out.bulk_loss = bulk / initial_;
       out.remaining_energy = remaining_ / initial_;

@@ -1,7 +1,7 @@
 #pragma once
 #include <ricochet/outcome/outcome.hpp>
 #include <ricochet/solve/extremum.hpp>
-#include <ricochet/solve/flow.hpp>
+#include <ricochet/solve/ledger.hpp>
 
 namespace ricochet {
 
@@ -40,18 +40,19 @@ class observers {
   struct nothing {};
 
 public:
-  void touched(const Reduced& model, const state_type& x) {
+  void touched(const Reduced& model, const ledger<Reduced>& books, const state_type& x) {
     if constexpr (asked.extremes) {
       parts_.earlier.reset();
       for (auto& each : parts_.others)
         each.found.restart(each.observable(model, x, 0));
     }
     if constexpr (asked.trajectory)
-      record(model, x, 0);
+      record(model, books, x, 0);
   }
 
   /// A step of size h has led from x to `reached`.
-  void stepped(flow_type& flow, Method& method, const state_type& x, const state_type& reached, const real& h) {
+  void stepped(flow_type& flow, Method& method, const ledger<Reduced>& books, const state_type& x,
+               const state_type& reached, const real& h) {
     const Reduced& model = flow.model;
     if constexpr (asked.extremes) {
       for (auto& each : parts_.others) {
@@ -72,8 +73,17 @@ public:
     if constexpr (asked.trajectory) {
       constexpr int rows_a_step = 8;
       for (int i = 1; i < rows_a_step; ++i)
-        record(model, method.within(flow, x, h * i / rows_a_step), flow.piece);
-      record(model, reached, flow.piece);
+        record(model, books, method.within(flow, x, h * i / rows_a_step), flow.piece);
+      record(model, books, reached, flow.piece);
+    }
+  }
+
+  /// The contact has let go: one more row, of the bodies apart.
+  void let_go(const Reduced& model, const ledger<Reduced>& books, const state_type& x, int piece) {
+    if constexpr (asked.trajectory) {
+      auto apart = model.at(x, piece).c;
+      apart.radius = apart.root_radius = T(0);
+      record_row(model, books, x, apart);
     }
   }
 
@@ -98,24 +108,29 @@ public:
   }
 
 private:
-  void record(const Reduced& model, const state_type& x, int piece) {
-    const auto c = model.at(x, piece).c;
+  void record(const Reduced& model, const ledger<Reduced>& books, const state_type& x, int piece) {
+    record_row(model, books, x, model.at(x, piece).c);
+  }
+
+  void record_row(const Reduced& model, const ledger<Reduced>& books, const state_type& x,
+                  const configuration<reduced<T>>& c) {
     const auto put = [](std::vector<double>& column, const T& value) {
       column.push_back(static_cast<double>(value_of(value)));
     };
+    const bool touching = value_of(c.radius) > real(0);
     put(rows_.time, x[elapsed_time]);
     put(rows_.mutual_approach, c.approach);
     put(rows_.approach_rate, c.rate);
     put(rows_.contact_radius, c.radius);
     put(rows_.elastic_force, model.elastic.force(model.pair, c));
-    put(rows_.damping_force, model.damping_force(c));
+    put(rows_.damping_force, touching ? model.damping_force(c) : T(0));
     put(rows_.kinetic_energy, model.kinetic_energy(c.rate));
     put(rows_.elastic_energy, model.elastic.stored_energy(model.pair, c));
     put(rows_.surface_energy, model.surface_energy(c));
-    if constexpr (Reduced::state_type::names::template contains<crack_loss_t>)
-      put(rows_.crack_loss, x[crack_loss]);
-    if constexpr (Reduced::state_type::names::template contains<bulk_loss_t>)
-      put(rows_.bulk_loss, x[bulk_loss]);
+    if constexpr (asked.ledger) {
+      put(rows_.crack_loss, books.crack_loss_at(x));
+      put(rows_.bulk_loss, books.bulk_loss_at(x));
+    }
   }
 
   [[no_unique_address]] std::conditional_t<asked.extremes, extremes_part, nothing> parts_;

@@ -21,13 +21,14 @@ struct column {
 /// with 17 significant digits. It gets its name only in finish(): an interrupted run leaves no half file behind.
 class table {
 public:
-  /// \throws std::runtime_error if the file cannot be written.
-  table(std::filesystem::path file, const std::string& command, const std::vector<column>& columns)
+  /// `about` says, in one line, what the numbers are of. \throws std::runtime_error if the file cannot be written.
+  table(std::filesystem::path file, const std::string& command, const std::string& about,
+        const std::vector<column>& columns)
       : file_(std::move(file)), unfinished_(file_.string() + ".part"), columns_(columns.size()) {
     if (file_.has_parent_path())
       std::filesystem::create_directories(file_.parent_path());
     out_.open(unfinished_);
-    out_ << "# ricochet " << version << "\n# command: " << command << "\n# units:";
+    out_ << "# ricochet " << version << "\n# command: " << command << "\n# " << about << "\n# units:";
     for (const column& each : columns)
       out_ << ' ' << each.name << " [" << each.unit << ']';
     out_ << '\n';

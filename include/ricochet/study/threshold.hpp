@@ -34,8 +34,8 @@ sticking_threshold sticking_speed(const Model& model, speed low, speed high, dou
     ++found.collisions;
     const auto out = collide(model, impact{v}, {.tolerance = tolerance});
     if (out.ending != ending::captured && out.ending != ending::separated)
-      throw bad_input("sticking speed: the collision at " + std::to_string(in_si(v)) + " m/s ended " +
-                      name_of(out.ending) + ": " + out.reason);
+      throw bad_input("sticking speed: the collision at " + shown(in_si(v)) + " m/s ended " + name_of(out.ending) +
+                      ": " + out.reason);
     decided = out.ending_is_certain;
     if (out.restitution) {
       near = nearer;
@@ -44,9 +44,9 @@ sticking_threshold sticking_speed(const Model& model, speed low, speed high, dou
     return out.ending == ending::captured;
   };
   if (!sticks(low))
-    throw bad_input("sticking speed: the pair does not stick at the low speed, " + std::to_string(in_si(low)) + " m/s");
+    throw bad_input("sticking speed: the pair does not stick at the low speed, " + shown(in_si(low)) + " m/s");
   if (sticks(high))
-    throw bad_input("sticking speed: the pair sticks at the high speed too, " + std::to_string(in_si(high)) + " m/s");
+    throw bad_input("sticking speed: the pair sticks at the high speed too, " + shown(in_si(high)) + " m/s");
   int since_halved = 0;
   for (;;) {
     const double a = in_si(found.largest_captured), b = in_si(found.smallest_separated);

@@ -29,7 +29,8 @@ inline void write_trajectory(const std::filesystem::path& file, const std::strin
   for (const named& each : all)
     if (each.values->size() == motion.time.size())
       columns.push_back(each.head);
-  table out(file, command, columns);
+  table out(file, command, "motion of one collision; losses up to the row, jumps at touch and at letting go included",
+            columns);
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     std::vector<double> row;
     for (const named& each : all)

@@ -38,8 +38,8 @@ struct greenwood_law {
     if (!table)
       table = std::make_shared<const greenwood_table>(modulus_ratio);
     if (table->modulus_ratio != modulus_ratio)
-      throw bad_input("greenwood: the table given was made for modulus_ratio = " +
-                      std::to_string(table->modulus_ratio) + ", not for " + std::to_string(modulus_ratio));
+      throw bad_input("greenwood: the table given was made for modulus_ratio = " + shown(table->modulus_ratio) +
+                      ", not for " + shown(modulus_ratio));
   }
 
   /// C = E* z0^2/(w T_vis): the edge's speed is C advance/slowness.

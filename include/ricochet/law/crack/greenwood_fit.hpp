@@ -31,7 +31,7 @@ struct greenwood_fit_law {
   /// \throws bad_input for any other k than the fits'.
   void validate() const requires std::same_as<number, double> {
     if (modulus_ratio != 0.02)
-      throw bad_input("greenwood_fit: modulus_ratio = " + std::to_string(modulus_ratio) +
+      throw bad_input("greenwood_fit: modulus_ratio = " + shown(modulus_ratio) +
                       " but the published fits hold for 0.02 only; use greenwood, the exact law for any modulus ratio");
   }
 

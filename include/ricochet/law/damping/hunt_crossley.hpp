@@ -5,23 +5,23 @@ namespace ricochet {
 
 /// Hunt & Crossley: damping in proportion to the Hertzian force.
 /// F_D = c (4E*a^3/3R) d(delta)/dt, that is F = K delta^{3/2}(1 + c d(delta)/dt) without adhesion
-/// damping_per_speed: c, s/m, >= 0.
+/// damping_coefficient: c, s/m, >= 0.
 /// Valid for c v up to order one; the published form in delta is written in a (delta -> a^2/R) for contacts in tension.
 /// Source: Hunt & Crossley 1975; closed form of e: closed_form/hunt_crossley.hpp.
 template <class S>
 struct hunt_crossley_law {
   using role = role::damping;
   using number = typename S::number;
-  typename S::inverse_speed damping_per_speed{};
+  typename S::inverse_speed damping_coefficient{};
 
   template <class Other>
   using in = hunt_crossley_law<Other>;
   static constexpr auto parameters() {
-    return std::tuple{parameter{"damping_per_speed", &hunt_crossley_law::damping_per_speed, non_negative}};
+    return std::tuple{parameter{"damping_coefficient", &hunt_crossley_law::damping_coefficient, non_negative}};
   }
 
   typename S::damping coefficient(const basic_pair<S>& pair, const configuration<S>& c) const {
-    return damping_per_speed * (number(4) * pair.reduced_modulus / number(3)) * c.radius * c.radius * c.radius /
+    return damping_coefficient * (number(4) * pair.reduced_modulus / number(3)) * c.radius * c.radius * c.radius /
            pair.reduced_radius;
   }
 };

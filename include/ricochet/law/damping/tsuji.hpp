@@ -5,7 +5,7 @@ namespace ricochet {
 
 /// Tsuji, Tanaka & Ishida: damping that gives the same restitution at every speed.
 /// F_D = alpha sqrt(m* K) delta^{1/4} d(delta)/dt = alpha sqrt(4 m* E*/3) sqrt(a) d(delta)/dt, K = (4/3) E* sqrt(R)
-/// damping_ratio: alpha, dimensionless, >= 0; overdamped from alpha = sqrt(5) on.
+/// damping_coefficient: alpha, dimensionless, >= 0; overdamped from alpha = sqrt(5) on.
 /// Valid wherever a constant restitution is wanted; the form in delta is written in a (delta -> a^2/R) for tension.
 /// Source: Tsuji et al. 1992; closed form of e: closed_form/tsuji.hpp.
 template <class S>
@@ -13,16 +13,16 @@ struct tsuji_law {
   using role = role::damping;
   using number = typename S::number;
   static constexpr bool uses_root_radius = true;
-  number damping_ratio{};
+  number damping_coefficient{};
 
   template <class Other>
   using in = tsuji_law<Other>;
   static constexpr auto parameters() {
-    return std::tuple{parameter{"damping_ratio", &tsuji_law::damping_ratio, non_negative}};
+    return std::tuple{parameter{"damping_coefficient", &tsuji_law::damping_coefficient, non_negative}};
   }
 
   typename S::damping coefficient(const basic_pair<S>& pair, const configuration<S>& c) const {
-    return damping_ratio * sqrt(number(4) * pair.reduced_mass * pair.reduced_modulus / number(3)) * c.root_radius;
+    return damping_coefficient * sqrt(number(4) * pair.reduced_mass * pair.reduced_modulus / number(3)) * c.root_radius;
   }
 };
 using tsuji = tsuji_law<dimensional>;
