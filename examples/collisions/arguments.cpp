@@ -114,7 +114,12 @@ std::optional<arguments> read_arguments(int argc, const char* const* argv, int& 
     if (app.count("input") != 0 && given.input.empty())
       throw ricochet::bad_input("the name of the input file is empty");
   } catch (const CLI::ParseError& ended) {
-    status = app.exit(ended) == 0 ? 0 : 2;
+    if (ended.get_exit_code() == 0) { // --help, --version
+      status = app.exit(ended);
+    } else {
+      std::fprintf(stderr, "collisions: %s; see collisions --help\n", ended.what());
+      status = 2;
+    }
     return {};
   } catch (const ricochet::bad_input& refused) {
     std::fprintf(stderr, "collisions: %s\n", refused.what());

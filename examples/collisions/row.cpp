@@ -31,8 +31,9 @@ bool row::is_blank(const std::string& column) const { return !header_.has(column
 
 std::string row::text(const std::string& column, std::string_view needed_by) const {
   if (is_blank(column))
-    throw row_error(place(column), fmt::format("{}, but needed by {}",
-                                               header_.has(column) ? "blank" : "there is no such column", needed_by));
+    throw row_error(place(column), header_.has(column)
+                                       ? fmt::format("blank, but needed by {}", needed_by)
+                                       : fmt::format("the header has no such column, and {} needs it", needed_by));
   return trimmed(cell(column));
 }
 

@@ -1,4 +1,4 @@
-// expects: a crack-velocity law needs an adhesion law with a surface energy: add jkr{...}
+// expects: a crack-velocity law needs an adhesion law with a surface energy: add jkr
 
 #include "scene.hpp"
 

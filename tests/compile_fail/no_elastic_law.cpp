@@ -1,4 +1,4 @@
-// expects: a contact model needs an elastic law: add hertz{}
+// expects: a contact model needs an elastic law: add hertz
 
 #include "scene.hpp"
 

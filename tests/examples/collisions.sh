@@ -189,7 +189,7 @@ check "quote never closed" all 'status_is 1' 'row_is 1 separated' 'says "line 3:
 one "$(with speed '"0,5"')"
 check "decimal comma" all 'status_is 1' 'says "line 2, column speed, value \"0,5\": not a number"' 'output_has ",\"0,5\",failed,"'
 solve < <(echo model,speed; echo hertz,1)
-check "missing column" all 'status_is 1' 'says "line 2, column radius_1: there is no such column, but needed by every collision"'
+check "missing column" all 'status_is 1' 'says "line 2, column radius_1: the header has no such column, and every collision needs it"'
 
 # --- bad files and wrong use ------------------------------------------------------------------------------------------
 # refused NAME MESSAGE: exit status 2, nothing on standard output

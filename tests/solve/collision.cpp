@@ -45,6 +45,39 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_is_unresolved_and_says_so) {
   BOOST_TEST(out.reason == "the budget of evaluations was spent");
 }
 
+namespace {
+/// A user's damping law gone wrong: its sign, or sqrt(a) used without saying so.
+template <class S>
+struct wrong_law {
+  using role = ricochet::role::damping;
+  using number = typename S::number;
+  typename S::damping constant{};
+  number undeclared = 0;
+  template <class Other>
+  using in = wrong_law<Other>;
+  static constexpr auto parameters() {
+    return std::tuple{parameter{"constant", &wrong_law::constant, range{.low = -1e30}},
+                      parameter{"undeclared", &wrong_law::undeclared, non_negative}};
+  }
+  typename S::damping coefficient(const basic_pair<S>&, const configuration<S>& c) const {
+    const number one = undeclared > number(0) ? number(c.root_radius / c.root_radius) : number(1);
+    return constant * one;
+  }
+};
+} // namespace
+
+BOOST_AUTO_TEST_CASE(laws_gone_wrong_end_in_a_named_failure) {
+  const impact fast{8.0 * metres_per_second};
+  wrong_law<dimensional> driving{.constant = -1e-9 * newtons / metres_per_second};
+  const auto driven = collide(compose(ice.pair, hertz{}, driving), fast);
+  BOOST_TEST(name_of(driven.ending) == "failed");
+  BOOST_TEST(driven.reason.find("coefficient is negative") != std::string::npos);
+  wrong_law<dimensional> careless{.constant = 1e-9 * newtons / metres_per_second, .undeclared = 1};
+  const auto undeclared = collide(compose(ice.pair, hertz{}, careless), fast);
+  BOOST_TEST(name_of(undeclared.ending) == "failed");
+  BOOST_TEST(undeclared.reason.find("a law gives no number") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(an_edge_held_at_a_joint_of_the_fits_slides_along_it) {
   // At 0.29 and 3.7 the fits jump; where both sides push beta back the edge is held there. Without that, steps shrink
   // to nothing. Speeds are scanned so that some stay long at a joint.

@@ -17,7 +17,7 @@ struct role_count {
 /// Empty if laws in these numbers go together, else the sentence of refusal.
 constexpr std::string_view refusal(const role_count& n) {
   if (n.elastic == 0)
-    return "a contact model needs an elastic law: add hertz{}";
+    return "a contact model needs an elastic law: add hertz";
   if (n.elastic > 1)
     return "two elastic laws were given: keep one";
   if (n.adhesion > 1)
@@ -29,9 +29,9 @@ constexpr std::string_view refusal(const role_count& n) {
   if (n.end > 1)
     return "two end conditions were given: keep one";
   if (n.crack == 1 && n.adhesion == 0)
-    return "a crack-velocity law needs an adhesion law with a surface energy: add jkr{...}";
+    return "a crack-velocity law needs an adhesion law with a surface energy: add jkr";
   if (n.end == 1 && n.adhesion == 1)
-    return "an end condition is only for contacts without adhesion: with jkr{...} the edge decides where contact ends";
+    return "an end condition is only for contacts without adhesion: with jkr the edge decides where contact ends";
   return "";
 }
 

@@ -97,17 +97,16 @@ template <class... Arguments>
 auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert((detail::diagnose<Arguments>() && ...));
   constexpr role_count n = count_roles<Arguments...>();
-  static_assert(n.elastic != 0, "a contact model needs an elastic law: add hertz{}");
+  static_assert(n.elastic != 0, "a contact model needs an elastic law: add hertz");
   static_assert(n.elastic < 2, "two elastic laws were given: keep one");
   static_assert(n.adhesion < 2, "two adhesion laws were given: keep one");
   static_assert(n.crack < 2, "two crack-velocity laws were given: keep one");
   static_assert(n.damping < 2, "two bulk damping laws were given: keep one");
   static_assert(n.end < 2, "two end conditions were given: keep one");
   static_assert(n.crack == 0 || n.adhesion != 0,
-                "a crack-velocity law needs an adhesion law with a surface energy: add jkr{...}");
-  static_assert(
-      n.end == 0 || n.adhesion == 0,
-      "an end condition is only for contacts without adhesion: with jkr{...} the edge decides where contact ends");
+                "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
+  static_assert(n.end == 0 || n.adhesion == 0,
+                "an end condition is only for contacts without adhesion: with jkr the edge decides where contact ends");
   if constexpr (composable<Arguments...>) {
     require("reduced_modulus", pair.reduced_modulus, positive);
     require("reduced_radius", pair.reduced_radius, positive);

@@ -132,6 +132,8 @@ private:
       if (which == event::letting_go || which == event::zero_force)
         return true;
       happened(which, x);
+      if (!out_.reason.empty())
+        return false;
       if (captured_ && !(asked.extremes && edge_.grows(flow_.piece)))
         return false;
       events_.restart(x, approaching_);
@@ -150,6 +152,9 @@ private:
     if (!std::exchange(has_turned_, true))
       energy_at_turning_ = model_.potential(now(x));
     observers_.turned(model_, x, flow_.piece);
+    if constexpr (Reduced::damped)
+      if (value_of(model_.damping.coefficient(model_.pair, now(x))) < real(0))
+        fail("the damping law's coefficient is negative: it drives the motion instead of damping it");
     certify(x);
   }
 
@@ -160,11 +165,15 @@ private:
       return false;
     }
     if (!(h > std::numeric_limits<real>::epsilon() * longest_step_ / 4)) {
-      out_.ending = ending::failed;
-      out_.reason = "the step size fell below round-off";
+      fail("the step size fell below round-off, as it does where a law gives no number");
       return false;
     }
     return true;
+  }
+
+  void fail(const char* reason) {
+    out_.ending = ending::failed;
+    out_.reason = reason;
   }
 
   /// Losses never are negative: once the energy left is below what the contact has where it lets go, it never will.
