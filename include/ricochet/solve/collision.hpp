@@ -129,11 +129,13 @@ private:
       if (at_kink)
         kink.crossed();
       method.moved();
+      if (damping_drives(x)) {
+        fail("the damping law's coefficient is negative: it drives the motion instead of damping it");
+        return false;
+      }
       if (which == event::letting_go || which == event::zero_force)
         return true;
       happened(which, x);
-      if (!out_.reason.empty())
-        return false;
       if (captured_ && !(asked.extremes && edge_.grows(flow_.piece)))
         return false;
       events_.restart(x, approaching_);
@@ -152,9 +154,6 @@ private:
     if (!std::exchange(has_turned_, true))
       energy_at_turning_ = model_.potential(now(x));
     observers_.turned(model_, x, flow_.piece);
-    if constexpr (Reduced::damped)
-      if (value_of(model_.damping.coefficient(model_.pair, now(x))) < real(0))
-        fail("the damping law's coefficient is negative: it drives the motion instead of damping it");
     certify(x);
   }
 
@@ -169,6 +168,13 @@ private:
       return false;
     }
     return true;
+  }
+
+  bool damping_drives(const state_type& x) const {
+    if constexpr (Reduced::damped)
+      return value_of(model_.damping.coefficient(model_.pair, now(x))) < real(0);
+    else
+      return false;
   }
 
   void fail(const char* reason) {
