@@ -34,12 +34,12 @@ BOOST_AUTO_TEST_CASE(agrees_with_integration) {
   double worst_e = 0, worst_time = 0;
   for (int i = 0; i < 40; ++i) {
     auto s = random.next();
-    s.damping_coefficient = random.log_uniform(1e-3, 30) / s.speed;
+    s.hunt_crossley_coefficient = random.log_uniform(1e-3, 30) / s.speed;
     const auto out = integrate(hunt_crossley_hertz(s, contact_duration{}), impact{s.speed}, {.tolerance = 1e-12});
     BOOST_TEST_REQUIRE(out.restitution.has_value());
-    worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution(s.damping_coefficient, s.speed)));
+    worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution(s.hunt_crossley_coefficient, s.speed)));
     worst_time = std::max(worst_time, deviation(in_si(out.contact_duration),
-                                                in_si(closed::contact_duration(s.pair, s.damping_coefficient, s.speed))));
+                                                in_si(closed::contact_duration(s.pair, s.hunt_crossley_coefficient, s.speed))));
   }
   BOOST_TEST_MESSAGE("largest deviations: e " << worst_e << ", duration " << worst_time);
   BOOST_TEST(worst_e < 1e-11);   // ten times the tolerance of the integration

@@ -29,13 +29,13 @@ BOOST_AUTO_TEST_CASE(zero_force_agrees_with_integration) {
   double worst_e = 0, worst_time = 0;
   for (int i = 0; i < 50; ++i) {
     auto s = random.next();
-    s.damping_coefficient = i == 0 ? critical : random.log_uniform(1e-4, 10);
+    s.tsuji_coefficient = i == 0 ? critical : random.log_uniform(1e-4, 10);
     const auto out = integrate(tsuji_hertz(s, contact_duration{}), impact{s.speed}, {.tolerance = 1e-12});
     BOOST_TEST_REQUIRE(out.restitution.has_value());
-    worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution_to_zero_force(s.damping_coefficient)));
+    worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution_to_zero_force(s.tsuji_coefficient)));
     worst_time = std::max(worst_time,
                           deviation(in_si(out.contact_duration),
-                                    in_si(closed::contact_duration_to_zero_force(s.pair, s.damping_coefficient, s.speed))));
+                                    in_si(closed::contact_duration_to_zero_force(s.pair, s.tsuji_coefficient, s.speed))));
   }
   BOOST_TEST_MESSAGE("largest deviations: e " << worst_e << ", duration " << worst_time);
   BOOST_TEST(worst_e < 1e-11);   // ten times the tolerance of the integration
@@ -47,14 +47,14 @@ BOOST_AUTO_TEST_CASE(zero_overlap_agrees_with_integration) {
   double worst_e = 0, worst_time = 0;
   for (int i = 0; i < 40; ++i) {
     auto s = random.next();
-    s.damping_coefficient = random.log_uniform(1e-4, 1.8);
+    s.tsuji_coefficient = random.log_uniform(1e-4, 1.8);
     const auto out =
         integrate(tsuji_hertz(s, end_at_zero_overlap{}, contact_duration{}), impact{s.speed}, {.tolerance = 1e-12});
     BOOST_TEST_REQUIRE(out.restitution.has_value());
-    worst_e = std::max(worst_e, std::abs(*out.restitution - *closed::restitution_to_zero_overlap(s.damping_coefficient)));
+    worst_e = std::max(worst_e, std::abs(*out.restitution - *closed::restitution_to_zero_overlap(s.tsuji_coefficient)));
     worst_time = std::max(
         worst_time, deviation(in_si(out.contact_duration),
-                              in_si(*closed::contact_duration_to_zero_overlap(s.pair, s.damping_coefficient, s.speed))));
+                              in_si(*closed::contact_duration_to_zero_overlap(s.pair, s.tsuji_coefficient, s.speed))));
   }
   BOOST_TEST_MESSAGE("largest deviations: e " << worst_e << ", duration " << worst_time);
   BOOST_TEST(worst_e < 1e-11);   // ten times the tolerance of the integration

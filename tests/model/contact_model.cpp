@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(forces_for_authors_of_their_own_loop) {
   // a law in sqrt(a) is given it
   const auto constant = tsuji_hertz(s);
   const double published =
-      s.damping_coefficient * std::sqrt(in_si(s.pair.reduced_mass) * 4 / 3 * E * std::sqrt(R)) * std::pow(d, 0.25) * rate;
+      s.tsuji_coefficient * std::sqrt(in_si(s.pair.reduced_mass) * 4 / 3 * E * std::sqrt(R)) * std::pow(d, 0.25) * rate;
   BOOST_TEST(same(in_si(constant.damping_force(approach, rate * metres_per_second, constant.static_radius(approach))),
                   published));
 }
