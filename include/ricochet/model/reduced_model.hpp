@@ -99,6 +99,7 @@ public:
       const T scaled = advance / reference_;
       const T norm = T(1) / sqrt(edge.slowness * edge.slowness + scaled * scaled);
       now.slowness = edge.slowness;
+      now.inside = value_of(edge.slowness) >= 0 || past_fold(now.c); // beyond its limit, time would run backwards
       now.clock = edge.slowness * norm;
       now.coordinate_rate = advance * norm;
     } else {

@@ -41,8 +41,10 @@ public:
       near_miss_ = std::min<real>(near_miss_, value_of(x[approach_rate]) / value_of(speed));
       x = next_touch(x); // the edge let go while the bodies were approaching: they fly freely and touch again
     }
-    if (captured_)
+    if (captured_) {
       out_.ending = ending::captured;
+      out_.reason.clear();
+    }
     out_.evaluations = flow_.evaluations;
     if constexpr (asked.duration)
       out_.contact_duration = x[elapsed_time];
@@ -107,6 +109,8 @@ private:
         h = tried.next;
         method.moved();
         events_.arm(x);
+        if (creeps(x))
+          return false;
         continue;
       }
       const event which = *found.which;
@@ -172,7 +176,8 @@ private:
 
   bool damping_drives(const state_type& x) const {
     if constexpr (Reduced::damped)
-      return value_of(model_.damping.coefficient(model_.pair, now(x))) < real(0);
+      return value_of(x[Reduced::coordinate]) > real(0) &&
+             value_of(model_.damping.coefficient(model_.pair, now(x))) < real(0);
     else
       return false;
   }
@@ -186,7 +191,31 @@ private:
   void certify(const state_type& x) {
     const auto c = now(x);
     const T left = model_.kinetic_energy(c.rate) + ledger_.meet(c) - model_.exit_energy();
-    captured_ = Reduced::adhesive && value_of(left) < real(0);
+    captured_ = Reduced::adhesive ? value_of(left) < real(0) : never_opens();
+    steps_since_turning_ = 0;
+  }
+
+  /// An overdamped contact creeps to its equilibrium without turning, some even before they have turned once: after
+  /// many steps, each is looked at.
+  bool creeps(const state_type& x) {
+    if (++steps_since_turning_ <= 400)
+      return false;
+    const bool slow = value_of(model_.kinetic_energy(x[approach_rate])) < real(1e-6f) * ledger_.largest();
+    if (has_turned_ || slow) {
+      certify(x);
+      observers_.turned(model_, x, flow_.piece);
+      steps_since_turning_ = 400;
+    }
+    return captured_;
+  }
+
+  /// Overdamped without adhesion and pulled until the overlap vanishes, the contact never gets there.
+  bool never_opens() const {
+    if constexpr (requires { model_.damping.overdamped(); })
+      return std::same_as<typename Reduced::model_type::end_condition, end_at_zero_overlap> &&
+             model_.damping.overdamped();
+    else
+      return false;
   }
 
   state_type next_touch(const state_type& x) {
@@ -217,6 +246,7 @@ private:
   real longest_step_;
   outcome_type out_;
   bool approaching_ = true, has_turned_ = false, captured_ = false;
+  int steps_since_turning_ = 0;
   T energy_at_turning_ = T(0);
   real near_miss_ = std::numeric_limits<real>::infinity();
 };

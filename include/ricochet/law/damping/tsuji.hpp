@@ -24,6 +24,9 @@ struct tsuji_law {
   typename S::damping coefficient(const basic_pair<S>& pair, const configuration<S>& c) const {
     return damping_coefficient * sqrt(number(4) * pair.reduced_mass * pair.reduced_modulus / number(3)) * c.root_radius;
   }
+
+  /// Without adhesion, from alpha = sqrt(5) on the overlap never vanishes in finite time.
+  bool overdamped() const { return value_of(damping_coefficient) * value_of(damping_coefficient) >= 5; }
 };
 using tsuji = tsuji_law<dimensional>;
 
