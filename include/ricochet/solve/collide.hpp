@@ -65,7 +65,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
         *out.restitution -= T(value_of(*out.restitution) - real(1));
       const real e = value_of(*out.restitution);
       if (Reduced::free_edge && rough.restitution) // the edge decides when to let go: e passes through zero linearly
-        error = 2 * max<real>(abs(e - value_of(*rough.restitution)), first_leg) + round_off;
+        error = max<real>(abs(e - value_of(*rough.restitution)), first_leg) * 3 / 2 + round_off;
       else // the energy decides: e = sqrt(energy left)
         error = min<real>(energy_error / max<real>(e, std::numeric_limits<real>::min()), sqrt(energy_error));
     } else if (excess < 2 * energy_error) {
