@@ -15,6 +15,7 @@
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 
+#include <ricochet/closed_form/contact_duration.hpp>
 #include <ricochet/closed_form/hertz.hpp>
 #include <ricochet/closed_form/hunt_crossley.hpp>
 #include <ricochet/closed_form/jkr.hpp>

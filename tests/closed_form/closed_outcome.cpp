@@ -8,7 +8,7 @@ namespace {
 template <class Model>
 constexpr bool is_solved = closed_form::solved<std::remove_cvref_t<Model>>;
 
-/// The closed outcome against the integration: ending, restitution and duration.
+/// The closed outcome against the integration: ending and restitution.
 template <class Compose>
 void agrees(const Compose& compose_scene) {
   scenes source(101);
@@ -24,18 +24,16 @@ void agrees(const Compose& compose_scene) {
       BOOST_TEST(name_of(closed.ending) == name_of(solved.ending));
       BOOST_TEST(std::abs(closed.restitution.value_or(0) - solved.restitution.value_or(0)) <=
                  solved.error_estimate + closed.error_estimate);
-      if (closed.restitution)
-        BOOST_TEST(double(closed.contact_duration / solved.contact_duration) == 1, boost::test_tools::tolerance(1e-8));
     }
   }
 }
 } // namespace
 
 BOOST_AUTO_TEST_CASE(closed_outcomes_are_those_of_the_integration) {
-  agrees([](const scene& s) { return hertzian(s, contact_duration{}); });
-  agrees([](const scene& s) { return static_jkr(s, contact_duration{}); });
-  agrees([](const scene& s) { return hunt_crossley_hertz(s, contact_duration{}); });
-  agrees([](const scene& s) { return tsuji_hertz(s, contact_duration{}); });
+  agrees([](const scene& s) { return hertzian(s); });
+  agrees([](const scene& s) { return static_jkr(s); });
+  agrees([](const scene& s) { return hunt_crossley_hertz(s); });
+  agrees([](const scene& s) { return tsuji_hertz(s); });
 }
 
 BOOST_AUTO_TEST_CASE(only_what_a_closed_form_can_answer_is_solved_by_it) {
@@ -44,6 +42,7 @@ BOOST_AUTO_TEST_CASE(only_what_a_closed_form_can_answer_is_solved_by_it) {
   static_assert(is_solved<decltype(hertzian(s))>);
   static_assert(is_solved<decltype(tsuji_hertz(s, end_at_zero_overlap{}))>);
   static_assert(!is_solved<decltype(hertzian(s, energy_ledger{}))>);
+  static_assert(!is_solved<decltype(hertzian(s, contact_duration{}))>);
   static_assert(!is_solved<decltype(hertzian(s, extremes{}))>);
   static_assert(!is_solved<decltype(hertzian(s, trajectory{}))>);
   static_assert(!is_solved<decltype(viscous_hertz(s))>);

@@ -2,7 +2,7 @@
 
 #include "../support/random_scenes.hpp"
 
-#include <ricochet/closed_form/hunt_crossley.hpp>
+#include <ricochet/closed_form/contact_duration.hpp>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

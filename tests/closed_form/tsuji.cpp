@@ -2,7 +2,7 @@
 
 #include "../support/random_scenes.hpp"
 
-#include <ricochet/closed_form/tsuji.hpp>
+#include <ricochet/closed_form/contact_duration.hpp>
 
 using namespace support;
 namespace closed = ricochet::closed_form;

@@ -4,11 +4,43 @@
 
 using namespace support;
 
-BOOST_AUTO_TEST_CASE(an_event_is_located_to_round_off_on_the_side_before_it) {
-  const auto value = [](double t) { return std::cos(t); };
-  const double h = 2.0, found = locate_event(value, h, value(0), value(h));
-  BOOST_TEST(std::abs(found - pi<double>() / 2) < 4 * std::numeric_limits<double>::epsilon() * h);
-  BOOST_TEST(value(found) >= -1e-15);
+BOOST_AUTO_TEST_CASE(an_event_is_located_on_its_surface_and_on_the_motion) {
+  scenes source(73);
+  const scene s = source.next();
+  const auto model = viscous_jkr(s);
+  const reduced_model<double, decltype(model)> numbers(model, model.scales_at(s.speed));
+  using flow_type = flow<std::remove_const_t<decltype(numbers)>>;
+  flow_type f{numbers};
+  stepper::tsitouras_papakostas75::method<flow_type> method(1e-10, numbers.typical());
+  event_watch<flow_type> watch(f);
+  auto x = numbers.touch(1.0);
+  watch.restart(x, true);
+  for (int steps = 0; steps < 1000; ++steps) {
+    const auto tried = method.try_step(f, x, 0.1);
+    const auto found = watch.first(method, x, tried);
+    BOOST_REQUIRE(found.valid);
+    if (found.which) {
+      BOOST_TEST((*found.which == event::turning));
+      BOOST_TEST(std::abs(found.x[approach_rate]) < 1e-14);
+      const auto direct = method.within(f, x, found.part);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        BOOST_TEST(std::abs(found.x[i] - direct[i]) < 1e-14);
+      return;
+    }
+    x = tried.x;
+    method.moved();
+    watch.arm(x);
+  }
+  BOOST_TEST(false, "it never turned");
+}
+
+BOOST_AUTO_TEST_CASE(a_zero_is_estimated_inside_its_bracket) {
+  const auto at = [](double t) { return event_point<double>{t, std::cos(t), -std::sin(t)}; };
+  BOOST_TEST(std::abs(estimated_zero(at(0.5), at(2.5)) - pi<double>() / 2) < 3e-3);
+  BOOST_TEST(std::abs(estimated_zero(at(1.5), at(1.7)) - pi<double>() / 2) < 1e-7);
+  const event_point<double> outside{2.5, 0, 0}; // by the tangent, or in the middle
+  BOOST_TEST(std::abs(estimated_zero(at(1.5), outside) - (1.5 + 1 / std::tan(1.5))) < 1e-15);
+  BOOST_TEST(estimated_zero(event_point<double>{0, 1, 1}, outside) == 1.25);
 }
 
 BOOST_AUTO_TEST_CASE(events_exist_only_for_the_laws_present) {

@@ -76,6 +76,6 @@ BOOST_AUTO_TEST_CASE(rosenbrock4) {
   on_a_free_edge<stepper::rosenbrock4>(1e-6, 5);
 }
 BOOST_AUTO_TEST_CASE(any_other_odeint_stepper_plugs_in) {
-  agrees<stepper::embedded<boost::numeric::odeint::runge_kutta_dopri5>>([](const scene& s) { return viscous_hertz(s); },
-                                                                        1e-7, 3);
+  agrees<stepper::embedded_of_odeint<boost::numeric::odeint::runge_kutta_dopri5>>(
+      [](const scene& s) { return viscous_hertz(s); }, 1e-7, 3);
 }

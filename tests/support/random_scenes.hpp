@@ -8,6 +8,7 @@
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
+#include <ricochet/solve/steppers.hpp>
 
 #include <random>
 

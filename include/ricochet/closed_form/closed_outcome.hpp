@@ -14,7 +14,7 @@ namespace detail {
 template <class Model>
 struct is_solved : std::false_type {};
 template <requests Asked>
-inline constexpr bool asks_outcome_only = !Asked.ledger && !Asked.extremes && !Asked.trajectory;
+inline constexpr bool asks_outcome_only = !Asked.ledger && !Asked.duration && !Asked.extremes && !Asked.trajectory;
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, absent<role::damping>, End, Asked>>
     : std::bool_constant<asks_outcome_only<Asked>> {};
@@ -33,47 +33,32 @@ struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack
 template <class Model>
 concept solved = detail::is_solved<Model>::value;
 
-/// Outcome of an impact at speed v from the closed forms; its error is that of round-off. The duration of a captured
-/// contact is no closed form's and stays zero.
+/// Outcome of an impact at speed v from the closed forms; its error is that of round-off.
 template <solved Model>
 outcome_of<Model> solve(const Model& model, speed v) {
   constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
   constexpr bool to_zero_overlap = std::same_as<typename Model::end_condition, end_at_zero_overlap>;
   outcome_of<Model> out;
   double conditioning = 1; // of e with respect to its arguments
-  [[maybe_unused]] std::optional<duration> time;
   if constexpr (Model::adhesive) {
     const energy_per_area w = model.adhesion.work_of_adhesion;
     const double ratio = sticking_speed(model.pair, w) / v;
     out.restitution = restitution(model.pair, w, v);
     conditioning = square(ratio) / std::max(out.restitution.value_or(1), std::sqrt(round_off));
     out.ending_is_certain = std::abs(ratio - 1) > round_off;
-    if constexpr (Model::asked.duration)
-      time = contact_duration(model.pair, w, v);
   } else if constexpr (!Model::damped) {
     out.restitution = 1;
-    if constexpr (Model::asked.duration)
-      time = contact_time(model.pair, v);
   } else if constexpr (std::same_as<decltype(Model::damping), hunt_crossley>) {
     out.restitution = restitution(model.damping.damping_coefficient, v);
-    if constexpr (Model::asked.duration)
-      time = contact_duration(model.pair, model.damping.damping_coefficient, v);
   } else {
     const double alpha = model.damping.damping_coefficient;
-    if constexpr (to_zero_overlap) {
+    if constexpr (to_zero_overlap)
       out.restitution = restitution_to_zero_overlap(alpha);
-      if constexpr (Model::asked.duration)
-        time = contact_duration_to_zero_overlap(model.pair, alpha, v);
-    } else {
+    else
       out.restitution = restitution_to_zero_force(alpha);
-      if constexpr (Model::asked.duration)
-        time = contact_duration_to_zero_force(model.pair, alpha, v);
-    }
   }
   out.ending = out.restitution ? ending::separated : ending::captured;
   out.error_estimate = out.restitution ? round_off * (1 + conditioning) : 0;
-  if constexpr (Model::asked.duration)
-    out.contact_duration = time.value_or(duration{});
   return out;
 }
 

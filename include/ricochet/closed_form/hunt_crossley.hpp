@@ -2,7 +2,6 @@
 #pragma once
 #include <ricochet/closed_form/hertz.hpp>
 
-#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/log1p.hpp>
 #include <boost/math/tools/roots.hpp>
 
@@ -28,17 +27,6 @@ struct hunt_crossley_impact {
   }
 
   double restitution() const { return -std::expm1(at_release) / cv; }
-
-  /// int dL/(1 - excess(L)/stored)^{3/5} from L = end to 0; with L = end (1 - q^{5/2}) the end is not singular.
-  double leg(double end) const {
-    return boost::math::quadrature::tanh_sinh<double>{}.integrate(
-        [&](double q) {
-          const double apart = end * square(q) * std::sqrt(q), l = end - apart;
-          const double mean = apart == 0 ? 0 : excess(apart) / apart;
-          return 2.5 * std::abs(end) * std::pow(stored / ((std::exp(l) * mean + std::expm1(l)) * end), 0.6);
-        },
-        0., 1.);
-  }
 };
 
 inline double damping_group(inverse_speed c, speed v) {
@@ -59,22 +47,6 @@ inline double restitution(inverse_speed c, speed v) {
   if (cv < std::numeric_limits<double>::epsilon())
     return 1 - 2 * cv / 3;
   return detail::hunt_crossley_impact(cv).restitution();
-}
-
-/// Time in contact with F = K delta^{3/2} (1 + c d(delta)/dt).
-/// t = (m*/cK) int dL/delta^{3/2} over ln(1 + c v) > L > ln(1 - c e v), (2/5) K delta^{5/2} = stored energy at L
-/// pair: E* (Pa), R (m), m* (kg), all > 0; c: damping_coefficient, s/m, >= 0; v: speed at touch, m/s, > 0.
-/// Valid for every c v.
-/// Source: Hunt & Crossley 1975, integrated; for c v -> 0 it is contact_time(pair, v).
-inline duration contact_duration(const contact_pair& pair, inverse_speed c, speed v) {
-  const double cv = detail::damping_group(c, v);
-  const duration elastic = contact_time(pair, v);
-  if (cv < std::numeric_limits<double>::epsilon())
-    return elastic;
-  const detail::hunt_crossley_impact impact(cv);
-  const double shallower = std::pow(cv * cv / (2 * impact.stored), 0.6); // (delta_Hertz/delta_max)^{3/2}
-  return 0.8 * max_approach(pair, v) / v * shallower / cv *
-         (impact.leg(impact.at_touch) + impact.leg(impact.at_release));
 }
 
 } // namespace ricochet::closed_form

@@ -3,7 +3,6 @@
 #include <ricochet/closed_form/hertz.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
 
-#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/tools/roots.hpp>
 
 namespace ricochet::closed_form {
@@ -39,22 +38,6 @@ struct jkr_impact {
     for (int n = 10; n > 1; --n)
       value = value * s + (second += quotient += coefficient[n]);
     return -value;
-  }
-  /// 4 int (s^3 - 1) ds sqrt(sticking_energy/energy left), from touch to the turning point and back to the fold.
-  double duration() const {
-    boost::math::quadrature::tanh_sinh<double> quadrature;
-    const double precision = 1e-12; // the default, 1e-8, is too coarse for the kink that forms at the fold as v -> v_c
-    const auto about_turning = [&](double q) { // q = sqrt(turning - s)
-      return 2 * (cube(turning - q * q) - 1) / std::sqrt(divided(turning - q * q, turning));
-    };
-    const auto to_turning = [&](double from) {
-      return quadrature.integrate(about_turning, 0., std::sqrt(turning - from), precision);
-    };
-    const auto to_fold = [&](double x) { // x = s - 1
-      return x * (x * x + 3 * x + 3) / std::sqrt(excess + x * x * curvature_at_fold(1 + x));
-    };
-    return 4 * std::sqrt(sticking_energy) *
-           (to_turning(touch) + to_turning(rest) + quadrature.integrate(to_fold, 0., rest - 1, precision));
   }
 };
 } // namespace detail
@@ -97,22 +80,6 @@ inline length max_approach(const contact_pair& pair, energy_per_area w, speed v)
   const length fold = jkr{w}.fold_radius(pair);
   const double s = detail::jkr_impact(ratio).turning;
   return fold * (fold / pair.reduced_radius) * (s * (cube(s) - 4));
-}
-
-/// Time from touch to separation, or nothing if the bodies stay together (v <= v_c).
-/// t = int d delta/|rate| over both legs, in s = sqrt(a/a_c), where neither the turning point nor the fold is singular
-/// pair, w: as in sticking_speed(); v: speed of approach at touch, m/s, > 0.
-/// Valid as sticking_speed(); tends to a finite time at v_c.
-/// Source: energy balance with Krijt 2013 (2), (8); w = 0 is Hertz.
-inline std::optional<duration> contact_duration(const contact_pair& pair, energy_per_area w, speed v) {
-  require("speed", v, positive);
-  const double ratio = sticking_speed(pair, w) / v;
-  if (ratio == 0)
-    return contact_time(pair, v);
-  if (ratio >= 1)
-    return std::nullopt;
-  const length fold = jkr{w}.fold_radius(pair);
-  return fold * (fold / pair.reduced_radius) / (ratio * v) * detail::jkr_impact(ratio).duration();
 }
 
 } // namespace ricochet::closed_form

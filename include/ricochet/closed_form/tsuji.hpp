@@ -2,7 +2,6 @@
 #pragma once
 #include <ricochet/closed_form/hertz.hpp>
 
-#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/sinc.hpp>
 #include <boost/math/special_functions/sinhc.hpp>
 
@@ -30,26 +29,6 @@ struct tsuji_impact {
   double shape(double theta) const {
     return theta * (zeta < 1 ? boost::math::sinc_pi(s * theta) : boost::math::sinhc_pi(s * theta));
   }
-
-  /// int dt of the elastic scale 0.8 delta_max/v, that is int (exp(-zeta theta) S)^{-1/5} d theta, in two halves, each
-  /// from its own end: S(end - phi) = S(end) cos(s phi) - S'(end) S(phi).
-  double duration(double end, double shape_at_end, double slope_at_end) const {
-    const double growth = std::exp(zeta * end / 5);
-    if (std::isinf(growth))
-      return growth;
-    boost::math::quadrature::tanh_sinh<double> quadrature;
-    const double first = quadrature.integrate(
-        [&](double theta) { return std::exp(zeta * theta / 5) / std::pow(shape(theta), 0.2); }, 0., end / 2);
-    const double second = quadrature.integrate(
-        [&](double phi) {
-          const double there = zeta < 0.5 || shape_at_end == 0
-                                   ? shape_at_end * std::cos(s * phi) - slope_at_end * shape(phi)
-                                   : shape(end - phi);
-          return std::exp(-zeta * phi / 5) / std::pow(there, 0.2);
-        },
-        0., end / 2);
-    return first + growth * second;
-  }
 };
 
 inline tsuji_impact tsuji_at(double damping_coefficient) {
@@ -61,8 +40,9 @@ inline tsuji_impact tsuji_at(double damping_coefficient) {
 
 /// Restitution of a contact that ends where the force vanishes.
 /// e = exp(-zeta acos(2 zeta^2 - 1)/sqrt(1 - zeta^2)), acosh and sqrt(zeta^2 - 1) for zeta > 1, e^-2 at 1; zeta =
-/// alpha/sqrt 5 damping_coefficient: alpha, dimensionless, >= 0. Valid for every alpha; the same at every speed. Source:
-/// Tsuji et al. 1992 with the end of Schwager & Poeschel 2007; written as 2 acos(zeta), stable through zeta = 1.
+/// alpha/sqrt 5 damping_coefficient: alpha, dimensionless, >= 0. Valid for every alpha; the same at every speed.
+/// Source: Tsuji et al. 1992 with the end of Schwager & Poeschel 2007; written as 2 acos(zeta), stable through zeta
+/// = 1.
 inline double restitution_to_zero_force(double damping_coefficient) {
   const auto impact = detail::tsuji_at(damping_coefficient);
   return std::exp(-2 * impact.zeta * impact.half_angle());
@@ -87,31 +67,6 @@ inline double damping_coefficient_for(double restitution) {
   require("restitution", restitution, range{.high = 1, .low_included = false, .high_included = true});
   const double fall = -std::log(restitution);
   return std::sqrt(5.) * fall / std::hypot(pi<double>(), fall);
-}
-
-/// Time in contact until the force vanishes.
-/// t = (4/5)(delta_Hertz/v) int (exp(-zeta theta) S(theta))^{-1/5} d theta, S = sin(s theta)/s, s^2 = 1 - zeta^2
-/// pair: E* (Pa), R (m), m* (kg), all > 0; damping_coefficient: alpha, >= 0; v: speed at touch, m/s, > 0.
-/// Valid for every alpha.
-/// Source: Tsuji et al. 1992, integrated; alpha = 0 is contact_time(pair, v).
-inline duration contact_duration_to_zero_force(const contact_pair& pair, double damping_coefficient, speed v) {
-  const auto impact = detail::tsuji_at(damping_coefficient);
-  const double zeta = impact.zeta;
-  return 0.8 * max_approach(pair, v) / v * impact.duration(2 * impact.half_angle(), 2 * zeta, 2 * zeta * zeta - 1);
-}
-
-/// Time in contact until the overlap vanishes; nothing if it never does (alpha >= sqrt 5).
-/// As contact_duration_to_zero_force(), up to theta = pi/s; it grows as exp(pi zeta/5s) and overflows to infinity
-/// pair: E* (Pa), R (m), m* (kg), all > 0; damping_coefficient: alpha, >= 0; v: speed at touch, m/s, > 0.
-/// Valid for every alpha.
-/// Source: Tsuji et al. 1992, integrated; alpha = 0 is contact_time(pair, v).
-inline std::optional<duration> contact_duration_to_zero_overlap(const contact_pair& pair, double damping_coefficient,
-                                                                speed v) {
-  const auto impact = detail::tsuji_at(damping_coefficient);
-  const length depth = max_approach(pair, v);
-  if (impact.zeta >= 1)
-    return std::nullopt;
-  return 0.8 * depth / v * impact.duration(pi<double>() / impact.s, 0, -1);
 }
 
 } // namespace ricochet::closed_form

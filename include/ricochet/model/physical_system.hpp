@@ -1,5 +1,6 @@
 #pragma once
 #include <ricochet/law/crack/crack_velocity_law.hpp>
+#include <ricochet/model/odeint.hpp>
 #include <ricochet/model/reduced_model.hpp>
 
 #include <algorithm>

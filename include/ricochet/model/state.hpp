@@ -4,9 +4,6 @@
 #include <cstddef>
 #include <type_traits>
 
-#include <boost/numeric/odeint/algebra/algebra_dispatcher.hpp>
-#include <boost/numeric/odeint/algebra/array_algebra.hpp>
-
 namespace ricochet {
 
 /// A list of unknowns, by name.
@@ -58,7 +55,7 @@ inline constexpr struct crack_loss_t {
 inline constexpr struct bulk_loss_t {
 } bulk_loss;
 
-/// Packed state, read by name: x[approach_rate]. Works with odeint's steppers as it is.
+/// Packed state, read by name: x[approach_rate]. Works with odeint's steppers (model/odeint.hpp).
 template <class T, class Variables>
 struct state : std::array<T, Variables::size> {
   using names = Variables;
@@ -85,8 +82,3 @@ private:
 };
 
 } // namespace ricochet
-
-template <class T, class Variables>
-struct boost::numeric::odeint::algebra_dispatcher<ricochet::state<T, Variables>> {
-  using algebra_type = array_algebra;
-};

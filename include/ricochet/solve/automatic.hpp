@@ -1,15 +1,18 @@
 #pragma once
 #include <ricochet/solve/rosenbrock.hpp>
+#include <ricochet/solve/tsitouras_papakostas.hpp>
 
 namespace ricochet::stepper {
 
-/// Runge-Kutta-Fehlberg 7(8), and Rosenbrock from where the motion proves stiff on: what collide() takes by itself.
+/// Tsitouras-Papakostas 7(5), and Rosenbrock from where the motion proves stiff on: what collide() takes by itself.
 struct automatic {
+  static constexpr double usual_error = tsitouras_papakostas75::usual_error;
+
   template <class Flow>
   class method {
     using state_type = typename Flow::state_type;
     using real = typename Flow::real;
-    using smooth_method = fehlberg78::method<Flow>;
+    using smooth_method = tsitouras_papakostas75::method<Flow>;
     using reduced_type = std::remove_cvref_t<decltype(std::declval<Flow>().model)>;
     static constexpr bool can_be_stiff = reduced_type::free_edge && std::same_as<double, typename Flow::number>;
     struct none {
@@ -20,7 +23,7 @@ struct automatic {
 
   public:
     method(const real& tolerance, const state_type& typical)
-        : smooth_(tolerance, typical), stiff_(tolerance, typical), worthwhile_(inverse_fourth_root(tolerance)) {}
+        : smooth_(tolerance, typical), stiff_(tolerance, typical), worthwhile_(1 / sqrt(tolerance)) {}
 
     attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
       if constexpr (can_be_stiff) {
@@ -51,8 +54,6 @@ struct automatic {
     }
 
   private:
-    static real inverse_fourth_root(const real& x) { return 1 / sqrt(sqrt(x)); }
-
     /// Counts how often in a row the step was near the explicit method's limit of stability while that is so short that
     /// the implicit method pays.
     void watch(Flow& f, const state_type& x, const real& h) {

@@ -28,8 +28,9 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
   using T = typename Reduced::number;
   using real = real_of<T>;
   const real wanted = real(options.tolerance), finest = 4 * std::numeric_limits<real>::epsilon();
-  const real refinement = 8, v = value_of(speed), kinetic = v * v * value_of(model.pair.reduced_mass) / 2;
-  real tolerance = min<real>(wanted, real(1e-7)) * min<real>(v, real(1));
+  const real refinement = 4, v = value_of(speed), kinetic = v * v * value_of(model.pair.reduced_mass) / 2;
+  const real usual_error = real(Stepper::usual_error), loosest = real(Reduced::free_edge ? 1e-6 : 1e-5);
+  real tolerance = min<real>(wanted * max<real>(1, 1 / (25 * usual_error)), loosest) * min<real>(v, real(1));
   long evaluations = 0, rejected = 0;
   for (int round = 0;; ++round) {
     tolerance = max(tolerance, finest);
@@ -57,20 +58,21 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     const real round_off = roundings * std::numeric_limits<real>::epsilon() * fine.largest_energy() / kinetic;
     const real first_leg = abs(value_of(fine.energy_at_turning() - coarse.energy_at_turning())) / kinetic;
     const real excess = abs(value_of(fine.excess_energy())) / kinetic;
+    // The errors of both solutions vary in sign and size with the tolerance, and now and then are the same by chance.
+    const real by_chance = usual_error * tolerance / (refinement * v);
     const real energy_error =
-        max<real>(abs(value_of(fine.excess_energy() - coarse.excess_energy())) / kinetic, first_leg) + round_off;
+        max<real>({abs(value_of(fine.excess_energy() - coarse.excess_energy())) / kinetic, first_leg, by_chance}) +
+        round_off;
     real error = 0;
     if (out.restitution) {
       if (value_of(*out.restitution) > real(1)) // losses never are negative: what exceeds one is error
         *out.restitution -= T(value_of(*out.restitution) - real(1));
       const real e = value_of(*out.restitution);
-      if (Reduced::free_edge && rough.restitution) { // the edge decides when to let go: e passes through zero linearly
-        // Its kinks make the errors of both vary in sign and size with the tolerance, and now and then they are the
-        // same by chance: a quarter of the finer tolerance, as an error of the energy, is the least believed.
-        const real by_chance = tolerance / (4 * refinement * v * max<real>(e, real(1) / 16));
-        const real seen = max<real>(abs(e - value_of(*rough.restitution)), first_leg) * 3 / 2;
-        error = max(seen, by_chance) + round_off;
-      } else // the energy decides: e = sqrt(energy left)
+      if (Reduced::free_edge && rough.restitution) // the edge decides when to let go: e passes through zero linearly
+        error = max<real>({abs(e - value_of(*rough.restitution)) * 3 / 2, first_leg * 3 / 2,
+                           by_chance / max<real>(e, real(1) / 16)}) +
+                round_off;
+      else // the energy decides: e = sqrt(energy left)
         error = min<real>(energy_error / max<real>(e, std::numeric_limits<real>::min()), sqrt(energy_error));
     } else if (excess < 2 * energy_error) {
       error = sqrt(energy_error);
@@ -156,10 +158,7 @@ auto collide(const Model& model, const impact& impact, const collide_options& op
   if constexpr (closed_form::solved<Model>) {
     require("speed", impact.speed, positive);
     require("tolerance", options.tolerance, tolerance_range);
-    auto out = closed_form::solve(model, impact.speed);
-    if (Model::asked.duration && out.ending == ending::captured) // how long it took to be certain
-      return integrate(model, impact, options);
-    return out;
+    return closed_form::solve(model, impact.speed);
   } else {
     return integrate(model, impact, options);
   }

@@ -121,14 +121,12 @@ private:
         reject(found.part * 3 / 4);
         continue;
       }
-      state_type reached = method.within(flow_, x, found.part);
-      events_.polish(which, reached, found.part);
-      if (which == event::letting_go && !edge_.may_let_go(reached, flow_.piece)) {
+      if (which == event::letting_go && !edge_.may_let_go(found.x, flow_.piece)) {
         reject(tried.taken / 4);
         continue;
       }
-      observers_.stepped(flow_, method, ledger_, x, reached, found.part);
-      x = reached;
+      observers_.stepped(flow_, method, ledger_, x, found.x, found.part);
+      x = found.x;
       kink.since += found.part;
       if (at_kink)
         kink.crossed();

@@ -82,25 +82,35 @@ private:
   T fold_ = T(0);
 };
 
-/// Part of a step of size h after which `value_at(part)` falls through zero; it is positive at 0 and negative at h.
-/// Located to round-off of h, on the side where the event has not happened yet.
-template <class Real, class ValueAt>
-Real locate_event(const ValueAt& value_at, const Real& h, const Real& at_start, const Real& at_end) {
-  namespace tools = boost::math::tools;
-  std::uintmax_t iterations = 100;
-  const auto bracket = tools::toms748_solve(
-      value_at, Real(0), h, at_start, at_end,
-      [h](const Real& low, const Real& high) { return high - low <= 4 * std::numeric_limits<Real>::epsilon() * h; },
-      iterations);
-  return bracket.first;
+/// An event's value and its slope at a part of a step.
+template <class Real>
+struct event_point {
+  Real part, value, slope;
+};
+
+/// Where the cubic through both points, with their slopes, falls through zero; where the tangent at the lower one does
+/// if the upper one is outside the domain, its value zero. \pre low.value > 0 >= high.value
+template <class Real>
+Real estimated_zero(const event_point<Real>& low, const event_point<Real>& high) {
+  const Real h = high.part - low.part, rise = high.value - low.value;
+  const Real bend = 3 * rise - h * (2 * low.slope + high.slope), twist = h * (low.slope + high.slope) - 2 * rise;
+  Real q = -low.value / (h * low.slope);
+  if (high.value < Real(0) && isfinite(bend) && isfinite(twist)) {
+    const auto cubic = [&](const Real& r) -> Real { return low.value + r * (h * low.slope + r * (bend + r * twist)); };
+    const auto close = [](const Real& from, const Real& to) { return to - from < Real(1e-6f) * to; };
+    std::uintmax_t iterations = 60;
+    q = boost::math::tools::toms748_solve(cubic, Real(0), Real(1), low.value, high.value, close, iterations).second;
+  }
+  return low.part + h * (q > Real(0) && q < Real(1) ? q : Real(0.5f));
 }
 
-/// An event found within a step, and the part of the step after which it happens; `valid` is false for one that this
-/// step is too long to bracket.
-template <class Real>
+/// An event found within a step: the part of the step after which it happens, and the state there. `valid` is false for
+/// one that this step is too long to bracket.
+template <class State, class Real>
 struct found_event {
   std::optional<event> which;
   Real part;
+  State x;
   bool valid;
 };
 
@@ -131,44 +141,60 @@ public:
   /// The earliest armed event within the step tried. Each event is looked for only up to the earliest found so far,
   /// where its value is taken anew: past the end of a contact, the values of other events mean nothing.
   template <class Method>
-  found_event<real> first(Method& method, const state_type& x, const attempt<state_type, real>& tried) {
-    found_event<real> found{std::nullopt, tried.taken, true};
-    state_type last = tried.x;
+  found_event<state_type, real> first(Method& method, const state_type& x, const attempt<state_type, real>& tried) {
+    found_event<state_type, real> found{std::nullopt, tried.taken, tried.x, true};
     for (const event which :
          {event::letting_go, event::zero_force, event::turning, event::leaving_below, event::leaving_above}) {
-      const real at_end = value_of(value(which, last));
-      if (!armed_[std::size_t(which)] || at_end > real(0))
+      if (!armed_[std::size_t(which)] || value_of(value(which, found.x)) > real(0))
         continue;
-      const real at_start = value_of(value(which, x));
-      if (!(at_start > real(0)))
-        return {which, found.part, false};
-      const real part =
-          locate_event([&](const real& h) -> real { return value_of(value(which, method.within(flow_, x, h))); },
-                       found.part, at_start, at_end);
-      found = {which, std::min<real>(part, tried.taken * (1 - std::numeric_limits<real>::epsilon())), true};
-      last = method.within(flow_, x, found.part);
+      if (!(value_of(value(which, x)) > real(0)))
+        return {which, found.part, x, false};
+      locate(which, method, x, found);
     }
     return found;
   }
 
-  /// One Newton step onto the event in the full scalar type, so that derivatives come out; h is the step's size.
-  void polish(event which, state_type& x, const real& h) {
-    state_type dx{}, ahead = x;
-    flow_(x, dx, real(0));
-    const real step = h * real(1e-6f);
-    for (std::size_t i = 0; i < x.size(); ++i)
-      ahead[i] += step * dx[i];
-    const T here = value(which, x);
-    const real slope = (value_of(value(which, ahead)) - value_of(here)) / step;
-    if (slope == real(0))
-      return;
-    const T correction = -here / slope;
-    if (value_of(correction) < step && -value_of(correction) < step)
+private:
+  using point = event_point<real>;
+  /// How close, in parts of the step, the last Newton step may start: it leaves the motion by the square of that, and
+  /// derivatives by itself.
+  static constexpr real close_enough = std::same_as<T, real> ? real(1e-7f) : real(1e-13f);
+
+  /// Locates the event between x and found.x: by cubics until close, then by a Newton step in the full scalar type, so
+  /// that derivatives come out.
+  template <class Method>
+  void locate(event which, Method& method, const state_type& x, found_event<state_type, real>& found) {
+    const real h = found.part, round_off = std::numeric_limits<real>::epsilon() * h;
+    state_type here = x, slope{};
+    const auto look = [&](const real& part, int side) -> point { // slope by a difference to one side
+      flow_(here, slope, real(0));
+      const real step = side * h * sqrt(std::numeric_limits<real>::epsilon());
+      state_type beside = here;
       for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] += correction * dx[i];
+        beside[i] += step * slope[i];
+      const real value_here = value_of(value(which, here));
+      return {part, value_here, (value_of(value(which, beside)) - value_here) / step};
+    };
+    point low = look(0, 1);
+    here = found.x;
+    point high = look(h, -1);
+    for (int tries = 1; tries <= 100; ++tries) {
+      const real part = tries % 4 == 0 ? real((low.part + high.part) / 2) : estimated_zero(low, high);
+      here = method.within(flow_, x, part);
+      const point now = look(part, -1);
+      const bool close = abs(now.value) < close_enough * h * abs(now.slope);
+      (now.value > real(0) ? low : high) = now;
+      if (!close && high.part - low.part > 4 * round_off)
+        continue;
+      const T correction = close ? T(-value(which, here) / now.slope) : T(0);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        here[i] += correction * slope[i];
+      found = {which, std::clamp<real>(part + value_of(correction), round_off, h - round_off), here, true};
+      return;
+    }
+    found.valid = false;
   }
 
-private:
   T value(event which, const state_type& x) const { return values_.value(which, x, flow_.piece, approaching_); }
 
   Flow& flow_;

@@ -1,14 +1,13 @@
-// How one step is made with each kind of odeint stepper, and how its size is chosen. Tested with ricochet:
-// stepper::runge_kutta4, cash_karp54, dopri5, fehlberg78, bulirsch_stoer, bulirsch_stoer_dense_out (steppers.hpp) and
-// rosenbrock4 (rosenbrock.hpp); stepper::automatic (automatic.hpp) is what collide() takes by itself.
+// What a method of integration offers to the solver: one step with an estimate of its error, a part of the step tried
+// last, and the size of the next. Made of odeint steppers: ricochet's own (tsitouras_papakostas.hpp), odeint's
+// (steppers.hpp); rosenbrock.hpp for stiff motions; stepper::automatic (automatic.hpp) is what collide() takes by
+// itself.
 #pragma once
 #include <ricochet/solve/flow.hpp>
 
 #include <algorithm>
 #include <functional>
 
-#include <boost/numeric/odeint/algebra/default_operations.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <boost/numeric/odeint/stepper/stepper_categories.hpp>
 
 namespace ricochet {
@@ -48,15 +47,17 @@ Real resized(const Real& h, const Real& error, int order) {
   return h * std::clamp<Real>(Real(0.9) * pow(error, Real(-1) / Real(order)), Real(0.1), Real(5));
 }
 
-/// Any explicit odeint stepper with an error estimate: template arguments as runge_kutta_dopri5.
-template <template <class...> class Odeint>
+/// Any explicit stepper with an error estimate, given as Pair<state, number>: odeint's concept Error Stepper.
+template <template <class State, class Real> class Pair>
 struct embedded {
+  /// Error of a whole collision's energy to be reckoned with, in units of the step tolerance, unless found larger.
+  static constexpr double usual_error = 0.25;
+
   template <class Flow>
   class method {
     using state_type = typename Flow::state_type;
     using real = typename Flow::real;
-    using stepper_type = Odeint<state_type, real, state_type, real, odeint::array_algebra, odeint::default_operations,
-                                odeint::never_resizer>;
+    using stepper_type = Pair<state_type, real>;
     static constexpr bool first_same_as_last =
         std::is_base_of_v<odeint::explicit_error_stepper_fsal_tag, typename stepper_type::stepper_category>;
 
@@ -97,9 +98,6 @@ struct embedded {
     bool known_ = false;
   };
 };
-
-/// odeint's Runge-Kutta-Fehlberg 7(8): what ricochet takes where the motion is smooth.
-using fehlberg78 = embedded<odeint::runge_kutta_fehlberg78>;
 
 } // namespace stepper
 } // namespace ricochet

@@ -1,5 +1,6 @@
-// More of odeint's steppers for collide(); stepper.hpp says what a method is.
+// odeint's steppers for collide(); stepper.hpp says what a method is.
 #pragma once
+#include <ricochet/model/odeint.hpp>
 #include <ricochet/solve/stepper.hpp>
 
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
@@ -7,21 +8,36 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
 namespace ricochet::stepper {
 
-using cash_karp54 = embedded<odeint::runge_kutta_cash_karp54>;
-using dopri5 = embedded<odeint::runge_kutta_dopri5>;
+/// odeint's class templates of explicit steppers on packed states.
+template <template <class...> class Stepper>
+struct of_odeint {
+  template <class State, class Real>
+  using on =
+      Stepper<State, Real, State, Real, odeint::array_algebra, odeint::default_operations, odeint::never_resizer>;
+};
 
-/// Any explicit odeint stepper without an error estimate; the error is that of one step against two halves.
-template <template <class...> class Odeint>
+/// Any of odeint's explicit steppers with an error estimate: embedded_of_odeint<odeint::runge_kutta_dopri5>.
+template <template <class...> class Stepper>
+using embedded_of_odeint = embedded<of_odeint<Stepper>::template on>;
+
+using cash_karp54 = embedded_of_odeint<odeint::runge_kutta_cash_karp54>;
+using dopri5 = embedded_of_odeint<odeint::runge_kutta_dopri5>;
+using fehlberg78 = embedded_of_odeint<odeint::runge_kutta_fehlberg78>;
+
+/// Any of odeint's explicit steppers without an error estimate; the error is that of one step against two halves.
+template <template <class...> class Stepper>
 struct doubled {
+  static constexpr double usual_error = 0.25;
+
   template <class Flow>
   class method {
     using state_type = typename Flow::state_type;
     using real = typename Flow::real;
-    using stepper_type = Odeint<state_type, real, state_type, real, odeint::array_algebra, odeint::default_operations,
-                                odeint::never_resizer>;
+    using stepper_type = typename of_odeint<Stepper>::template on<state_type, real>;
 
   public:
     method(const real& tolerance, const state_type& typical) : tolerance_(tolerance), typical_(typical) {}
@@ -57,6 +73,8 @@ using runge_kutta4 = doubled<odeint::runge_kutta4>;
 
 /// odeint's Bulirsch-Stoer extrapolation, which controls its own step.
 struct bulirsch_stoer {
+  static constexpr double usual_error = 0.25;
+
   template <class Flow>
   class method {
     using state_type = typename Flow::state_type;
@@ -97,6 +115,8 @@ struct bulirsch_stoer {
 
 /// The same with its own dense output, in which events are located.
 struct bulirsch_stoer_dense_out {
+  static constexpr double usual_error = 0.25;
+
   template <class Flow>
   class method {
     using state_type = typename Flow::state_type;
