@@ -1,4 +1,5 @@
 #pragma once
+#include <ricochet/solve/capture.hpp>
 #include <ricochet/solve/edge.hpp>
 #include <ricochet/solve/event.hpp>
 #include <ricochet/solve/ledger.hpp>
@@ -20,8 +21,9 @@ public:
   using outcome_type = reduced_outcome_of<T, typename Reduced::model_type>;
 
   collision(const Reduced& model, const real& tolerance, long budget)
-      : model_(model), flow_{model}, events_(flow_), edge_(model), ledger_(model), tolerance_(tolerance),
-        budget_(budget), longest_step_(model.typical_time() * longest_relative_step(tolerance)) {}
+      : model_(model), flow_{model}, events_(flow_), edge_(model), ledger_(model), capture_(model),
+        tolerance_(tolerance), budget_(budget), longest_step_(model.typical_time() * longest_relative_step(tolerance)) {
+  }
   collision(const collision&) = delete;
 
   outcome_type solve(const T& speed) {
@@ -29,7 +31,7 @@ public:
     state_type x = model_.touch(speed);
     for (;; ++out_.contacts) {
       touched(x);
-      if (captured_ || !follow_contact(x))
+      if (capture_.certain() || !follow_contact(x))
         break;
       ledger_.let_go(now(x));
       observers_.let_go(model_, ledger_, x, flow_.piece);
@@ -41,7 +43,7 @@ public:
       near_miss_ = std::min<real>(near_miss_, value_of(x[approach_rate]) / value_of(speed));
       x = next_touch(x); // the edge let go while the bodies were approaching: they fly freely and touch again
     }
-    if (captured_) {
+    if (capture_.certain()) {
       out_.ending = ending::captured;
       out_.reason.clear();
     }
@@ -74,7 +76,7 @@ private:
     approaching_ = true;
     ledger_.touch(now(x));
     if (has_turned_)
-      certify(x);
+      capture_.look(now(x), ledger_);
     observers_.touched(model_, ledger_, x);
   }
 
@@ -109,8 +111,12 @@ private:
         h = tried.next;
         method.moved();
         events_.arm(x);
-        if (creeps(x))
-          return false;
+        if (capture_.may_creep(x[approach_rate], has_turned_, ledger_)) {
+          capture_.look(now(x), ledger_);
+          observers_.turned(model_, x, flow_.piece);
+          if (capture_.certain())
+            return false;
+        }
         continue;
       }
       const event which = *found.which;
@@ -138,7 +144,7 @@ private:
       if (which == event::letting_go || which == event::zero_force)
         return true;
       happened(which, x);
-      if (captured_ && !(asked.extremes && edge_.grows(flow_.piece)))
+      if (capture_.certain() && !(asked.extremes && edge_.grows(flow_.piece)))
         return false;
       events_.restart(x, approaching_);
       h = std::max<real>(tried.taken - found.part, tried.taken / 16);
@@ -156,7 +162,8 @@ private:
     if (!std::exchange(has_turned_, true))
       energy_at_turning_ = model_.potential(now(x));
     observers_.turned(model_, x, flow_.piece);
-    certify(x);
+    capture_.turned();
+    capture_.look(now(x), ledger_);
   }
 
   bool may_go_on(const real& h) {
@@ -185,37 +192,6 @@ private:
     out_.reason = reason;
   }
 
-  /// Losses never are negative: once the energy left is below what the contact has where it lets go, it never will.
-  void certify(const state_type& x) {
-    const auto c = now(x);
-    const T left = model_.kinetic_energy(c.rate) + ledger_.meet(c) - model_.exit_energy();
-    captured_ = Reduced::adhesive ? value_of(left) < real(0) : never_opens();
-    steps_since_turning_ = 0;
-  }
-
-  /// An overdamped contact creeps to its equilibrium without turning, some even before they have turned once: after
-  /// many steps, each is looked at.
-  bool creeps(const state_type& x) {
-    if (++steps_since_turning_ <= 400)
-      return false;
-    const bool slow = value_of(model_.kinetic_energy(x[approach_rate])) < real(1e-6f) * ledger_.largest();
-    if (has_turned_ || slow) {
-      certify(x);
-      observers_.turned(model_, x, flow_.piece);
-      steps_since_turning_ = 400;
-    }
-    return captured_;
-  }
-
-  /// Overdamped without adhesion and pulled until the overlap vanishes, the contact never gets there.
-  bool never_opens() const {
-    if constexpr (requires { model_.damping.overdamped(); })
-      return std::same_as<typename Reduced::model_type::end_condition, end_at_zero_overlap> &&
-             model_.damping.overdamped();
-    else
-      return false;
-  }
-
   state_type next_touch(const state_type& x) {
     state_type next = model_.touch(x[approach_rate]);
     if constexpr (Reduced::keeps_time)
@@ -238,13 +214,13 @@ private:
   event_watch<flow_type> events_;
   edge_pieces<Reduced> edge_;
   ledger<Reduced> ledger_;
+  capture<Reduced> capture_;
   [[no_unique_address]] observers<Reduced, method_type> observers_;
   real tolerance_;
   long budget_;
   real longest_step_;
   outcome_type out_;
-  bool approaching_ = true, has_turned_ = false, captured_ = false;
-  int steps_since_turning_ = 0;
+  bool approaching_ = true, has_turned_ = false;
   T energy_at_turning_ = T(0);
   real near_miss_ = std::numeric_limits<real>::infinity();
 };
