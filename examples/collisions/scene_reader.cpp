@@ -13,12 +13,10 @@ namespace {
 
 constexpr const char* everyone = "every collision"; ///< who needs a column that all models need
 
-/// Column of a law's parameter; empty for one that keeps its default.
-std::string column_of(std::string_view parameter) {
+/// Column of a parameter of the law so named; empty for one that keeps its default.
+std::string column_of(std::string_view law, std::string_view parameter) {
   if (parameter == "damping_coefficient")
-    return "hunt_crossley_coefficient";
-  if (parameter == "damping_coefficient")
-    return "tsuji_coefficient";
+    return std::string(law) + "_coefficient";
   if (parameter == "first_ratio_over_k")
     return "";
   return std::string(parameter);
@@ -34,7 +32,7 @@ template <class Law>
 Law read_law(const row& row, std::string_view name) {
   Law law{};
   const auto read = [&](const auto& parameter) {
-    const std::string column = column_of(parameter.name);
+    const std::string column = column_of(name, parameter.name);
     auto& value = law.*(parameter.member);
     if (!may_be_blank<Law>(column) || !row.is_blank(column))
       value = row.quantity<std::remove_reference_t<decltype(value)>>(column, parameter.allowed, name);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include <boost/numeric/odeint/stepper/stepper_categories.hpp>
@@ -12,6 +13,9 @@ namespace ricochet::stepper {
 /// stage], b[stage] the weights, e[stage] their differences; constant expressions. State: an array of numbers.
 template <class Table, class State, class Real>
 class explicit_pair {
+  static_assert(std::numeric_limits<Real>::digits <= std::numeric_limits<long double>::digits,
+                "the table's coefficients are given to the precision of long double: take stepper::fehlberg78");
+
 public:
   using state_type = State;
   using deriv_type = State;
