@@ -73,6 +73,8 @@ for model in $models; do
 done
 cp "$work/out" "$work/automatic"
 check "hertz bounces with restitution 1" near "$(cell 1 restitution)" 1 1e-8
+tsuji=$(awk 'BEGIN { z = 0.2 / sqrt(5); s = sqrt(1 - z * z); print exp(-2 * z * atan2(s, z) / s) }') # its closed form
+check "tsuji reads its own coefficient" near "$(cell 10 restitution)" "$tsuji" 1e-5
 for stepper in dopri5 bulirsch_stoer; do
   solve --tolerance 1e-8 --stepper $stepper < <(echo "$names"; for model in $models; do ice "$model"; done)
   check "$stepper agrees with the automatic stepper in all models" awk -F, -v count="$row" '

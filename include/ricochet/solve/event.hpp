@@ -165,7 +165,7 @@ private:
     const real close_enough = std::same_as<T, real> ? real(1e-7f) : real(1e-13f);
     const real h = found.part, round_off = std::numeric_limits<real>::epsilon() * h;
     state_type here = x, slope{};
-    const auto look = [&](const real& part, int side) -> point { // slope by a difference to one side
+    const auto look = [&](const real& part, const real& side) -> point { // slope by a difference to one side
       flow_(here, slope, real(0));
       const real step = side * h * sqrt(std::numeric_limits<real>::epsilon());
       state_type beside = here;
