@@ -6,7 +6,9 @@
 
 #include <ricochet/law/elastic/hertz.hpp>
 
+#include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
+#include <ricochet/law/adhesion/line_force.hpp>
 
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
@@ -15,6 +17,7 @@
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 
+#include <ricochet/closed_form/brach_dunn.hpp>
 #include <ricochet/closed_form/contact_duration.hpp>
 #include <ricochet/closed_form/hertz.hpp>
 #include <ricochet/closed_form/hunt_crossley.hpp>

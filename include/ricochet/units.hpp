@@ -50,6 +50,7 @@ inline constexpr speed millimetres_per_second = 1e-3 * si::meter_per_second;
 inline constexpr force newtons = 1.0 * si::newton;
 inline constexpr energy joules = 1.0 * si::joule;
 inline constexpr energy_per_area joules_per_square_metre = 1.0 * si::newton_per_meter;
+inline constexpr energy_per_area newtons_per_metre = 1.0 * si::newton_per_meter;
 inline constexpr inverse_speed seconds_per_metre = 1.0 / (1.0 * si::meter_per_second);
 
 /// Whole numbers count too: `2 * micrometres`.

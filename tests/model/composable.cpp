@@ -2,6 +2,9 @@
 
 #include "support/random_scenes.hpp"
 
+#include <ricochet/law/adhesion/dmt.hpp>
+#include <ricochet/law/adhesion/line_force.hpp>
+
 using namespace support;
 
 namespace {
@@ -36,12 +39,15 @@ static_assert(composable<hertz, jkr, greenwood> && composable<greenwood_fit, tsu
 static_assert(composable<hertz, energy_ledger, extremes, trajectory, contact_duration>);
 static_assert(!composable<> && !composable<jkr> && !composable<hertz, hertz> && !composable<hertz, greenwood>);
 static_assert(!composable<hertz, jkr, a> && !composable<hertz, tsuji, kuwabara_kono> && !composable<hertz, int>);
+static_assert(composable<hertz, line_force, hunt_crossley> && composable<dmt, hertz>);
+static_assert(!composable<hertz, line_force, greenwood> && !composable<hertz, dmt, a> && !composable<hertz, dmt, jkr>);
 static_assert(!composable<hertz, jkr, greenwood, greenwood_fit> && !composable<hertz, jkr, jkr>);
 static_assert(!composable<hertz, end_at_zero_force, end_at_zero_overlap>);
 
 static_assert(count_roles<jkr, hertz, tsuji, extremes>().adhesion == 1);
 static_assert(count_roles<jkr, hertz, tsuji, extremes>().crack == 0);
 static_assert(count_roles<greenwood, greenwood_fit>().crack == 2);
+static_assert(count_roles<jkr, dmt>().adhesion == 2 && count_roles<jkr, dmt>().attraction == 1);
 
 } // namespace
 

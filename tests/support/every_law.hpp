@@ -1,6 +1,8 @@
 // Every law's formulas on numbers of one kind: the same text evaluated for each scalar type.
 #pragma once
+#include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
+#include <ricochet/law/adhesion/line_force.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
 #include <ricochet/law/damping/hunt_crossley.hpp>
@@ -55,6 +57,7 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
   const basic_pair<S> pair{x.modulus, x.radius_of_bodies, x.mass};
   const configuration<S> c{x.approach, x.rate, x.radius, sqrt(x.radius)};
   const jkr_law<S> adhesion{x.work_of_adhesion};
+  const line_force_law<S> ring{x.work_of_adhesion, T(0.25)};
   const greenwood_law<S> exact{T(1), T(1) / T(50), T(1), T(1.0078125), shared_table()};
   const greenwood_fit_law<S> fit{T(1), T(1) / T(50), T(1), T(1.0078125)};
   std::vector<T> values{hertz_law<S>::force(pair, c),
@@ -65,6 +68,11 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
                         adhesion.surface_energy(c.radius),
                         adhesion.flattening(pair),
                         adhesion.pull_off_force(pair),
+                        ring.attraction(pair, c),
+                        ring.potential_energy(pair, c),
+                        ring.rebound_damping(pair, c),
+                        dmt_law<S>{x.work_of_adhesion}.attraction(pair, c),
+                        dmt_law<S>{x.work_of_adhesion}.potential_energy(pair, c),
                         fit.speed_scale(pair, x.work_of_adhesion),
                         exact.speed_scale(pair, x.work_of_adhesion),
                         kuwabara_kono_law<S>{T(0.375)}.coefficient(pair, c),

@@ -1,6 +1,7 @@
 // Which laws go together: one predicate and one table.
 #pragma once
 #include <ricochet/law/adhesion/adhesion_law.hpp>
+#include <ricochet/law/adhesion/attraction_law.hpp>
 #include <ricochet/law/crack/crack_velocity_law.hpp>
 #include <ricochet/law/damping/bulk_damping_law.hpp>
 #include <ricochet/law/elastic/elastic_law.hpp>
@@ -9,9 +10,9 @@
 
 namespace ricochet {
 
-/// How many laws of each role a composition names.
+/// How many laws of each role a composition names; `attraction` of the adhesion laws are forces without an edge.
 struct role_count {
-  int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0;
+  int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0, attraction = 0;
 };
 
 /// Empty if laws in these numbers go together, else the sentence of refusal.
@@ -28,10 +29,10 @@ constexpr std::string_view refusal(const role_count& n) {
     return "two bulk damping laws were given: keep one";
   if (n.end > 1)
     return "two end conditions were given: keep one";
-  if (n.crack == 1 && n.adhesion == 0)
+  if (n.crack == 1 && n.adhesion == n.attraction)
     return "a crack-velocity law needs an adhesion law with a surface energy: add jkr";
   if (n.end == 1 && n.adhesion == 1)
-    return "an end condition is only for contacts without adhesion: with jkr the edge decides where contact ends";
+    return "an end condition is only for contacts without adhesion: with adhesion the contact lets go where it tears";
   return "";
 }
 
@@ -41,7 +42,8 @@ constexpr role_count count_roles() {
           .adhesion = (int(plays<Laws, role::adhesion>) + ... + 0),
           .crack = (int(plays<Laws, role::crack>) + ... + 0),
           .damping = (int(plays<Laws, role::damping>) + ... + 0),
-          .end = (int(plays<Laws, role::end>) + ... + 0)};
+          .end = (int(plays<Laws, role::end>) + ... + 0),
+          .attraction = (int(attraction_law<Laws>) + ... + 0)};
 }
 
 /// Can these laws be composed?

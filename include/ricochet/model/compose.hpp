@@ -18,10 +18,11 @@ consteval bool diagnose() {
     static_assert(elastic_law<L>, "elastic law: force, stored_energy, energy_release_rate or load_free_approach is "
                                   "missing or returns another type (law/elastic/elastic_law.hpp)");
   if constexpr (plays<L, role::adhesion>)
-    static_assert(adhesion_law<L>,
+    static_assert(adhesion_law<L> || attraction_law<L>,
                   "adhesion law: work_of_adhesion, surface_energy, flattening, touch_radius, fold_radius, "
                   "contact_radius, pull_off_force or exit_energy is missing or returns another type "
-                  "(law/adhesion/adhesion_law.hpp)");
+                  "(law/adhesion/adhesion_law.hpp); or, of a force without an edge, attraction, potential_energy, "
+                  "rebound_damping or equivalent_work_of_adhesion (law/adhesion/attraction_law.hpp)");
   if constexpr (plays<L, role::crack>)
     static_assert(crack_velocity_law<L>,
                   "crack-velocity law: joints, speed_scale, first_ratio, rate or relaxation_time is "
@@ -60,6 +61,13 @@ void check_dimensions() {
       (void)energy_per_area(law.energy_release_rate(p, c));
       (void)length(law.load_free_approach(p, c.radius));
       (void)double(law.load_free_slope(p, c.radius));
+    };
+  else if constexpr (attraction_law<Law>)
+    (void)[](const Law& law, pair p, part c) {
+      (void)force(law.attraction(p, c));
+      (void)energy(law.potential_energy(p, c));
+      (void)damping(law.rebound_damping(p, c));
+      (void)energy_per_area(law.equivalent_work_of_adhesion(p));
     };
   else if constexpr (plays<Law, role::adhesion>)
     (void)[](const Law& law, pair p, part c) {
@@ -103,10 +111,11 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert(n.crack < 2, "two crack-velocity laws were given: keep one");
   static_assert(n.damping < 2, "two bulk damping laws were given: keep one");
   static_assert(n.end < 2, "two end conditions were given: keep one");
-  static_assert(n.crack == 0 || n.adhesion != 0,
+  static_assert(n.crack == 0 || n.adhesion != n.attraction,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
-  static_assert(n.end == 0 || n.adhesion == 0,
-                "an end condition is only for contacts without adhesion: with jkr the edge decides where contact ends");
+  static_assert(
+      n.end == 0 || n.adhesion == 0,
+      "an end condition is only for contacts without adhesion: with adhesion the contact lets go where it tears");
   if constexpr (composable<Arguments...>) {
     require("reduced_modulus", pair.reduced_modulus, positive);
     require("reduced_radius", pair.reduced_radius, positive);
@@ -115,7 +124,9 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     auto adhesion = detail::pick<role::adhesion>(absent<role::adhesion>{}, arguments...);
     auto crack = detail::pick<role::crack>(absent<role::crack>{}, arguments...);
     auto damping = detail::pick<role::damping>(absent<role::damping>{}, arguments...);
-    const auto end = detail::pick<role::end>(end_at_zero_force{}, arguments...);
+    // Pulled by a force without an edge, a contact lets go where its overlap vanishes.
+    using end_by_default = std::conditional_t<n.attraction != 0, end_at_zero_overlap, end_at_zero_force>;
+    const auto end = detail::pick<role::end>(end_by_default{}, arguments...);
     detail::admit(elastic);
     detail::admit(adhesion);
     detail::admit(crack);

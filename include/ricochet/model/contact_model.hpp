@@ -1,4 +1,5 @@
 #pragma once
+#include <ricochet/law/adhesion/attraction_law.hpp>
 #include <ricochet/law/end.hpp>
 #include <ricochet/model/requests.hpp>
 
@@ -10,7 +11,8 @@ template <class Elastic, class Adhesion, class Crack, class Damping, class End, 
 struct contact_model {
   using end_condition = End;
   static constexpr requests asked = Asked;
-  static constexpr bool adhesive = is_present<Adhesion>;
+  static constexpr bool attracted = attraction_law<Adhesion>;          ///< adhesion is a force on a Hertzian contact
+  static constexpr bool adhesive = is_present<Adhesion> && !attracted; ///< adhesion is a work done at the edge
   static constexpr bool damped = is_present<Damping>;
   static constexpr bool has_crack_law = is_present<Crack>;
 
@@ -29,6 +31,8 @@ struct contact_model {
   scales scales_at(speed v) const {
     if constexpr (adhesive)
       return scales_of(pair, v, adhesion.work_of_adhesion);
+    else if constexpr (attracted)
+      return scales_of(pair, v, adhesion.equivalent_work_of_adhesion(pair));
     else
       return scales_of(pair, v, energy_per_area{});
   }

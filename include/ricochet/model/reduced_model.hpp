@@ -25,6 +25,7 @@ public:
   using number = T;
   using model_type = Model;
   static constexpr bool adhesive = Model::adhesive;
+  static constexpr bool attracted = Model::attracted;
   static constexpr bool damped = Model::damped;
   static constexpr bool free_edge = Model::has_crack_law;
   static constexpr bool root_coordinate =
@@ -34,7 +35,7 @@ public:
   using coordinate_t = std::conditional_t<root_coordinate, root_contact_radius_t, contact_radius_t>;
   using unknowns = join<variables<coordinate_t, approach_rate_t>, optionally<mutual_approach_t, free_edge>,
                         optionally<elapsed_time_t, keeps_time>, optionally<bulk_loss_t, Model::asked.ledger && damped>,
-                        optionally<crack_loss_t, Model::asked.ledger && free_edge>>;
+                        optionally<crack_loss_t, Model::asked.ledger && (free_edge || attracted)>>;
   using state_type = state<T, unknowns>;
   static constexpr coordinate_t coordinate{};
 
@@ -126,6 +127,7 @@ public:
     return (root_ratio_gradient(now) * now.coordinate_rate - now.c.rate * now.clock) / (flattening_ * x[coordinate]);
   }
 
+  /// Force of the bulk damping law.
   T damping_force(const configuration<reduced<T>>& c) const {
     if constexpr (damped)
       return damping.coefficient(pair, c) * c.rate;
@@ -133,14 +135,34 @@ public:
       return T(0);
   }
 
-  /// Force between the bodies, elastic and damping, > 0 repulsive.
-  T total_force(const configuration<reduced<T>>& c) const { return elastic.force(pair, c) + damping_force(c); }
+  /// Force by which an attraction opposes the rebound.
+  T rebound_force(const configuration<reduced<T>>& c) const {
+    if constexpr (attracted)
+      return adhesion.rebound_damping(pair, c) * c.rate;
+    else
+      return T(0);
+  }
+
+  /// Force that derives from potential(), > 0 repulsive.
+  T static_force(const configuration<reduced<T>>& c) const {
+    if constexpr (attracted)
+      return elastic.force(pair, c) - adhesion.attraction(pair, c);
+    else
+      return elastic.force(pair, c);
+  }
+
+  /// Force between the bodies, > 0 repulsive.
+  T total_force(const configuration<reduced<T>>& c) const {
+    return static_force(c) + damping_force(c) + rebound_force(c);
+  }
 
   T kinetic_energy(const T& rate) const { return pair.reduced_mass * rate * rate / T(2); }
 
   T surface_energy(const configuration<reduced<T>>& c) const {
     if constexpr (adhesive)
       return adhesion.surface_energy(c.radius);
+    else if constexpr (attracted)
+      return adhesion.potential_energy(pair, c);
     else
       return T(0);
   }
@@ -155,7 +177,8 @@ public:
       return false;
     const T damping_now = damping_force(now.c);
     dx[coordinate] = now.coordinate_rate;
-    dx[approach_rate] = -(elastic.force(pair, now.c) + damping_now) * now.clock / pair.reduced_mass;
+    const T rebound_now = rebound_force(now.c);
+    dx[approach_rate] = -(static_force(now.c) + damping_now + rebound_now) * now.clock / pair.reduced_mass;
     if constexpr (free_edge)
       dx[mutual_approach] = now.c.rate * now.clock;
     if constexpr (keeps_time)
@@ -165,6 +188,8 @@ public:
     if constexpr (Model::asked.ledger && free_edge) // [K (C.2)] with da = 2y dy
       dx[crack_loss] = T(4) * pi<T>() * now.c.radius * adhesion.work_of_adhesion * (T(1) - now.root_ratio) *
                        (T(1) + now.root_ratio) * x[coordinate] * now.coordinate_rate;
+    if constexpr (Model::asked.ledger && attracted)
+      dx[crack_loss] = rebound_now * now.c.rate * now.clock;
     return true;
   }
 

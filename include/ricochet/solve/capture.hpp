@@ -19,7 +19,7 @@ public:
   /// Looks at the contact: where it turns, where it touches again, and where it creeps.
   void look(const part& c, ledger<Reduced>& books) {
     const T left = model_.kinetic_energy(c.rate) + books.meet(c) - model_.exit_energy();
-    certain_ = Reduced::adhesive ? value_of(left) < real(0) : never_opens();
+    certain_ = Reduced::adhesive || Reduced::attracted ? value_of(left) < real(0) : never_opens();
   }
 
   void turned() { steps_since_turning_ = 0; }

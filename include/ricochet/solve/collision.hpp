@@ -198,7 +198,7 @@ private:
       next[elapsed_time] = x[elapsed_time] - now(x).approach / x[approach_rate];
     if constexpr (asked.ledger && Reduced::damped)
       next[bulk_loss] = x[bulk_loss];
-    if constexpr (asked.ledger && Reduced::free_edge)
+    if constexpr (asked.ledger && (Reduced::free_edge || Reduced::attracted))
       next[crack_loss] = x[crack_loss];
     return next;
   }

@@ -23,7 +23,7 @@ class event_values {
   using T = typename Reduced::number;
   using real = real_of<T>;
   using state_type = typename Reduced::state_type;
-  static constexpr bool may_lose_force = !Reduced::adhesive && Reduced::damped &&
+  static constexpr bool may_lose_force = !Reduced::adhesive && !Reduced::attracted && Reduced::damped &&
                                          std::same_as<typename Reduced::model_type::end_condition, end_at_zero_force>;
 
 public:

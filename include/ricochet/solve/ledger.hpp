@@ -25,7 +25,7 @@ public:
   void touch(const part& c) { jumps_ -= meet(c); }
 
   /// What is stored when the contact lets go is lost: at the edge with adhesion, in the bulk without.
-  void let_go(const part& c) { (Reduced::adhesive ? jumps_ : relaxed_) += meet(c); }
+  void let_go(const part& c) { (Reduced::adhesive || Reduced::attracted ? jumps_ : relaxed_) += meet(c); }
 
   /// Potential energy of the contact, remembered if it is the largest met.
   T meet(const part& c) {

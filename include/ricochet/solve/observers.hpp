@@ -122,8 +122,8 @@ private:
     put(rows_.mutual_approach, c.approach);
     put(rows_.approach_rate, c.rate);
     put(rows_.contact_radius, c.radius);
-    put(rows_.elastic_force, model.elastic.force(model.pair, c));
-    put(rows_.damping_force, touching ? model.damping_force(c) : T(0));
+    put(rows_.elastic_force, model.static_force(c));
+    put(rows_.damping_force, touching ? T(model.damping_force(c) + model.rebound_force(c)) : T(0));
     put(rows_.kinetic_energy, model.kinetic_energy(c.rate));
     put(rows_.elastic_energy, model.elastic.stored_energy(model.pair, c));
     put(rows_.surface_energy, model.surface_energy(c));
