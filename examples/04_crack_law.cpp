@@ -5,7 +5,7 @@
 // fits hold for k = 0.02.
 //
 // Try next: another relaxation time (0 gives JKR back), another k, and trajectory{} to see the motion.
-#include <ricochet/closed_form/viscoelastic_hertz.hpp>
+#include <ricochet/closed_form/independent_losses.hpp>
 #include <ricochet/collide.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/crack/greenwood.hpp>

@@ -2,7 +2,7 @@
 // speeds, and the CSV files behind the figure (restitution_curves.gp draws it, after Krijt 2013, figure 4).
 //
 // usage: restitution_curves [output directory]
-#include <ricochet/closed_form/viscoelastic_hertz.hpp>
+#include <ricochet/closed_form/independent_losses.hpp>
 #include <ricochet/ricochet.hpp>
 #include <ricochet/study/sweep.hpp>
 #include <ricochet/study/table.hpp>

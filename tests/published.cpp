@@ -4,8 +4,9 @@
 
 #include "support/reference_rows.hpp"
 
+#include <ricochet/closed_form/independent_losses.hpp>
 #include <ricochet/closed_form/regime.hpp>
-#include <ricochet/closed_form/viscoelastic_hertz.hpp>
+#include <ricochet/closed_form/thornton_ning.hpp>
 #include <ricochet/study/threshold.hpp>
 
 #include <functional>
@@ -76,6 +77,7 @@ const std::map<std::string, std::function<double()>> ours{
        return (1 - closed_form::weak_damping_restitution(ice.pair, tiny, eight)) *
               double(closed_form::contact_time(ice.pair, eight) / tiny);
      }},
+    {"constant in the yield velocity", [] { return closed_form::yield_speed_factor(); }},
 };
 
 } // namespace

@@ -21,8 +21,10 @@
 #include <ricochet/closed_form/contact_duration.hpp>
 #include <ricochet/closed_form/hertz.hpp>
 #include <ricochet/closed_form/hunt_crossley.hpp>
+#include <ricochet/closed_form/independent_losses.hpp>
 #include <ricochet/closed_form/jkr.hpp>
 #include <ricochet/closed_form/regime.hpp>
+#include <ricochet/closed_form/thornton_ning.hpp>
 #include <ricochet/closed_form/tsuji.hpp>
 #include <ricochet/closed_form/viscoelastic_hertz.hpp>
 

@@ -36,13 +36,23 @@ BOOST_AUTO_TEST_CASE(closed_outcomes_are_those_of_the_integration) {
   agrees([](const scene& s) { return tsuji_hertz(s); });
 }
 
+BOOST_AUTO_TEST_CASE(hertzian_duration_is_that_of_the_integration) {
+  scenes source(103);
+  const scene s = source.next();
+  const auto model = hertzian(s, contact_duration{});
+  const auto closed = collide(model, impact{s.speed}), solved = integrate(model, impact{s.speed}, {.tolerance = 1e-11});
+  BOOST_TEST(closed.evaluations == 0);
+  BOOST_TEST(double(closed.contact_duration / solved.contact_duration) == 1, boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(only_what_a_closed_form_can_answer_is_solved_by_it) {
   scenes source(102);
   const scene s = source.next();
   static_assert(is_solved<decltype(hertzian(s))>);
   static_assert(is_solved<decltype(tsuji_hertz(s, end_at_zero_overlap{}))>);
   static_assert(!is_solved<decltype(hertzian(s, energy_ledger{}))>);
-  static_assert(!is_solved<decltype(hertzian(s, contact_duration{}))>);
+  static_assert(is_solved<decltype(hertzian(s, contact_duration{}))>);
+  static_assert(!is_solved<decltype(static_jkr(s, contact_duration{}))>);
   static_assert(!is_solved<decltype(hertzian(s, extremes{}))>);
   static_assert(!is_solved<decltype(hertzian(s, trajectory{}))>);
   static_assert(!is_solved<decltype(viscous_hertz(s))>);

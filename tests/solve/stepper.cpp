@@ -44,6 +44,7 @@ double local_order(double h) {
 
 BOOST_AUTO_TEST_CASE(steps_have_their_order) {
   BOOST_TEST(std::abs(local_order<stepper::runge_kutta4>(0.4) - 5) < 0.7);
+  BOOST_TEST(std::abs(local_order<stepper::runge_kutta_gill>(0.4) - 5) < 0.7);
   BOOST_TEST(std::abs(local_order<stepper::cash_karp54>(0.2) - 6) < 0.7);
   BOOST_TEST(std::abs(local_order<stepper::dopri5>(0.2) - 6) < 0.7);
   BOOST_TEST(local_order<stepper::fehlberg78>(0.8) > 7.5); // close to round-off soon

@@ -63,6 +63,10 @@ BOOST_AUTO_TEST_CASE(runge_kutta4_by_halved_steps) {
   on_smooth_models<stepper::runge_kutta4>(1e-6);
   on_a_free_edge<stepper::runge_kutta4>(1e-5, 5);
 }
+BOOST_AUTO_TEST_CASE(runge_kutta_gill_by_halved_steps) {
+  on_smooth_models<stepper::runge_kutta_gill>(1e-7);
+  on_a_free_edge<stepper::runge_kutta_gill>(1e-5, 5);
+}
 BOOST_AUTO_TEST_CASE(bulirsch_stoer) {
   on_smooth_models<stepper::bulirsch_stoer>(1e-8);
   on_a_free_edge<stepper::bulirsch_stoer>(1e-6, 5);
@@ -78,4 +82,6 @@ BOOST_AUTO_TEST_CASE(rosenbrock4) {
 BOOST_AUTO_TEST_CASE(any_other_odeint_stepper_plugs_in) {
   agrees<stepper::embedded_of_odeint<boost::numeric::odeint::runge_kutta_dopri5>>(
       [](const scene& s) { return viscous_hertz(s); }, 1e-7, 3);
+  agrees<stepper::doubled_of_odeint<boost::numeric::odeint::runge_kutta4>>(
+      [](const scene& s) { return viscous_hertz(s); }, 1e-6, 3);
 }

@@ -17,7 +17,7 @@ template <requests Asked>
 inline constexpr bool asks_outcome_only = !Asked.ledger && !Asked.duration && !Asked.extremes && !Asked.trajectory;
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, absent<role::damping>, End, Asked>>
-    : std::bool_constant<asks_outcome_only<Asked>> {};
+    : std::bool_constant<!Asked.ledger && !Asked.extremes && !Asked.trajectory> {};
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, jkr, absent<role::crack>, absent<role::damping>, End, Asked>>
     : std::bool_constant<asks_outcome_only<Asked>> {};
@@ -48,6 +48,8 @@ outcome_of<Model> solve(const Model& model, speed v) {
     out.ending_is_certain = std::abs(ratio - 1) > round_off;
   } else if constexpr (!Model::damped) {
     out.restitution = 1;
+    if constexpr (Model::asked.duration)
+      out.contact_duration = contact_time(model.pair, v);
   } else if constexpr (std::same_as<decltype(Model::damping), hunt_crossley>) {
     out.restitution = restitution(model.damping.damping_coefficient, v);
   } else {

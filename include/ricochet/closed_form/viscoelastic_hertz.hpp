@@ -1,6 +1,6 @@
 // Impact of viscoelastic spheres (Kuwabara & Kono) where the damping is weak.
 #pragma once
-#include <ricochet/closed_form/jkr.hpp>
+#include <ricochet/closed_form/hertz.hpp>
 
 namespace ricochet::closed_form {
 
@@ -44,20 +44,6 @@ inline double restitution_series_to_zero_overlap(double y) {
   require("damping_number", y, range{.high = 0.5, .high_included = true});
   const double c1 = detail::weak_damping_slope();
   return 1 + y * (-c1 + y * (0.6 * c1 * c1 + y * (-0.5228825681 + y * 0.34874267)));
-}
-
-/// Restitution if adhesion and viscosity lost their energies independently; nothing if together they lose it all.
-/// e_I = sqrt(e_JKR^2 + e_D^2 - 1), e_JKR = restitution(pair, w, v), e_D = weak_damping_restitution(pair, A, v)
-/// pair, A, v: as in damping_number(); w: work of adhesion of the pair, J/m^2, >= 0.
-/// Valid as a yardstick only: viscoelastic adhesive spheres lose much more (ice at 8 m/s: 0.92 against 0.66).
-/// Source: Krijt 2013 (27).
-inline std::optional<double> independent_losses(const contact_pair& pair, energy_per_area w, duration A, speed v) {
-  const double damped = weak_damping_restitution(pair, A, v);
-  const auto adhesive = restitution(pair, w, v);
-  if (!adhesive || damped <= 0)
-    return std::nullopt;
-  const double left = square(*adhesive) - (1 - damped) * (1 + damped);
-  return left > 0 ? std::optional(std::sqrt(left)) : std::nullopt;
 }
 
 } // namespace ricochet::closed_form

@@ -1,7 +1,7 @@
 // What a method of integration offers to the solver: one step with an estimate of its error, a part of the step tried
-// last, and the size of the next. Made of odeint steppers: ricochet's own (tsitouras_papakostas.hpp), odeint's
-// (steppers.hpp); rosenbrock.hpp for stiff motions; stepper::automatic (automatic.hpp) is what collide() takes by
-// itself.
+// last, and the size of the next. Made of odeint steppers: ricochet's own (tsitouras_papakostas.hpp,
+// runge_kutta_gill.hpp), odeint's (steppers.hpp); rosenbrock.hpp for stiff motions; stepper::automatic (automatic.hpp)
+// is what collide() takes by itself.
 #pragma once
 #include <ricochet/solve/flow.hpp>
 
@@ -96,6 +96,49 @@ struct embedded {
     real tolerance_;
     state_type typical_, slope_{}, last_slope_{};
     bool known_ = false;
+  };
+};
+
+/// Any explicit stepper without an error estimate, given as Method<state, number>: odeint's concept Stepper. The error
+/// is that of one step against two halves.
+template <template <class State, class Real> class Method>
+struct doubled {
+  static constexpr double usual_error = 0.25;
+
+  template <class Flow>
+  class method {
+    using state_type = typename Flow::state_type;
+    using real = typename Flow::real;
+    using stepper_type = Method<state_type, real>;
+
+  public:
+    method(const real& tolerance, const state_type& typical) : tolerance_(tolerance), typical_(typical) {}
+
+    attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
+      f.outside = false;
+      state_type whole{};
+      stepper_.do_step(std::ref(f), x, real(0), whole, h);
+      const state_type out = within(f, x, h);
+      state_type error{};
+      for (std::size_t i = 0; i < out.size(); ++i)
+        error[i] = (out[i] - whole[i]) / real((1 << stepper_.order()) - 1);
+      const real norm = error_norm(error, typical_, tolerance_, f.outside);
+      return {norm <= 1, out, h, resized(h, norm, int(stepper_.order()) + 1)};
+    }
+
+    state_type within(Flow& f, const state_type& x, const real& h) {
+      state_type half{}, out{};
+      stepper_.do_step(std::ref(f), x, real(0), half, real(h / 2));
+      stepper_.do_step(std::ref(f), half, real(0), out, real(h / 2));
+      return out;
+    }
+
+    void moved() {}
+
+  private:
+    stepper_type stepper_;
+    real tolerance_;
+    state_type typical_;
   };
 };
 

@@ -1,6 +1,7 @@
-// odeint's steppers for collide(); stepper.hpp says what a method is.
+// odeint's steppers for collide(), and Gill's; stepper.hpp says what a method is.
 #pragma once
 #include <ricochet/model/odeint.hpp>
+#include <ricochet/solve/runge_kutta_gill.hpp>
 #include <ricochet/solve/stepper.hpp>
 
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
@@ -28,48 +29,11 @@ using cash_karp54 = embedded_of_odeint<odeint::runge_kutta_cash_karp54>;
 using dopri5 = embedded_of_odeint<odeint::runge_kutta_dopri5>;
 using fehlberg78 = embedded_of_odeint<odeint::runge_kutta_fehlberg78>;
 
-/// Any of odeint's explicit steppers without an error estimate; the error is that of one step against two halves.
+/// Any of odeint's explicit steppers without one: doubled_of_odeint<odeint::runge_kutta4>.
 template <template <class...> class Stepper>
-struct doubled {
-  static constexpr double usual_error = 0.25;
+using doubled_of_odeint = doubled<of_odeint<Stepper>::template on>;
 
-  template <class Flow>
-  class method {
-    using state_type = typename Flow::state_type;
-    using real = typename Flow::real;
-    using stepper_type = typename of_odeint<Stepper>::template on<state_type, real>;
-
-  public:
-    method(const real& tolerance, const state_type& typical) : tolerance_(tolerance), typical_(typical) {}
-
-    attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
-      f.outside = false;
-      state_type whole{};
-      stepper_.do_step(std::ref(f), x, real(0), whole, h);
-      const state_type out = within(f, x, h);
-      state_type error{};
-      for (std::size_t i = 0; i < out.size(); ++i)
-        error[i] = (out[i] - whole[i]) / real((1 << stepper_.order()) - 1);
-      const real norm = error_norm(error, typical_, tolerance_, f.outside);
-      return {norm <= 1, out, h, resized(h, norm, int(stepper_.order()) + 1)};
-    }
-
-    state_type within(Flow& f, const state_type& x, const real& h) {
-      state_type half{}, out{};
-      stepper_.do_step(std::ref(f), x, real(0), half, real(h / 2));
-      stepper_.do_step(std::ref(f), half, real(0), out, real(h / 2));
-      return out;
-    }
-
-    void moved() {}
-
-  private:
-    stepper_type stepper_;
-    real tolerance_;
-    state_type typical_;
-  };
-};
-using runge_kutta4 = doubled<odeint::runge_kutta4>;
+using runge_kutta4 = doubled_of_odeint<odeint::runge_kutta4>;
 
 /// odeint's Bulirsch-Stoer extrapolation, which controls its own step.
 struct bulirsch_stoer {
