@@ -17,6 +17,8 @@
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 
+#include <ricochet/law/tangential/coulomb.hpp>
+
 #include <ricochet/closed_form/brach_dunn.hpp>
 #include <ricochet/closed_form/contact_duration.hpp>
 #include <ricochet/closed_form/hertz.hpp>
@@ -30,6 +32,7 @@
 
 #include <ricochet/model/physical_system.hpp>
 
+#include <ricochet/solve/oblique.hpp>
 #include <ricochet/solve/steppers.hpp>
 
 #include <ricochet/study/sweep.hpp>

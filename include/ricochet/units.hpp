@@ -31,6 +31,7 @@ using energy = boost::units::quantity<si::energy>;
 using energy_per_area = boost::units::quantity<si::surface_tension>;
 using inverse_speed = boost::units::quantity<boost::units::divide_typeof_helper<si::dimensionless, si::velocity>::type>;
 using damping = boost::units::divide_typeof_helper<force, speed>::type;
+using angular_speed = boost::units::divide_typeof_helper<speed, length>::type; ///< radians are plain numbers
 using root_length = boost::units::root_typeof_helper<length, boost::units::static_rational<2>>::type;
 
 /// Units to multiply numbers with: `2.0 * micrometres`, `8.0 * metres_per_second`.
@@ -47,6 +48,8 @@ inline constexpr modulus megapascals = 1e6 * si::pascal;
 inline constexpr modulus gigapascals = 1e9 * si::pascal;
 inline constexpr speed metres_per_second = 1.0 * si::meter_per_second;
 inline constexpr speed millimetres_per_second = 1e-3 * si::meter_per_second;
+inline constexpr angular_speed radians_per_second = 1.0 / (1.0 * si::second);
+inline constexpr double degrees = std::numbers::pi / 180; ///< radians are plain numbers
 inline constexpr force newtons = 1.0 * si::newton;
 inline constexpr energy joules = 1.0 * si::joule;
 inline constexpr energy_per_area joules_per_square_metre = 1.0 * si::newton_per_meter;
@@ -159,6 +162,7 @@ constexpr const char* unit_symbol(energy) { return "J"; }
 constexpr const char* unit_symbol(energy_per_area) { return "J/m^2"; }
 constexpr const char* unit_symbol(inverse_speed) { return "s/m"; }
 constexpr const char* unit_symbol(damping) { return "N s/m"; }
+constexpr const char* unit_symbol(angular_speed) { return "rad/s"; }
 template <class Unit>
 constexpr const char* unit_symbol(const boost::units::quantity<Unit>&) {
   return "(SI)";

@@ -9,6 +9,7 @@
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
+#include <ricochet/law/tangential/coulomb.hpp>
 
 #include <vector>
 
@@ -56,6 +57,7 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
   using S = reduced<T>;
   const basic_pair<S> pair{x.modulus, x.radius_of_bodies, x.mass};
   const configuration<S> c{x.approach, x.rate, x.radius, sqrt(x.radius)};
+  const configuration<S> rebound{x.approach, -x.rate * x.rate, x.radius, sqrt(x.radius)};
   const jkr_law<S> adhesion{x.work_of_adhesion};
   const line_force_law<S> ring{x.work_of_adhesion, T(0.25)};
   const greenwood_law<S> exact{T(1), T(1) / T(50), T(1), T(1.0078125), shared_table()};
@@ -70,7 +72,8 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
                         adhesion.pull_off_force(pair),
                         ring.attraction(pair, c),
                         ring.potential_energy(pair, c),
-                        ring.rebound_damping(pair, c),
+                        ring.rebound_damping(pair, rebound),
+                        coulomb_law<S>{T(0.5)}.sliding_force(x.modulus),
                         dmt_law<S>{x.work_of_adhesion}.attraction(pair, c),
                         dmt_law<S>{x.work_of_adhesion}.potential_energy(pair, c),
                         fit.speed_scale(pair, x.work_of_adhesion),

@@ -3,6 +3,12 @@
 
 namespace ricochet {
 
+/// The two spheres themselves, for motion along the surface and spin; of a wall, radius and mass are infinite.
+struct two_bodies {
+  length radius_1, radius_2;
+  mass mass_1, mass_2;
+};
+
 /// All that a normal collision needs to know of its two bodies [Krijt 2013, after (1) and (20)]:
 /// 1/E* = sum (1-nu_i^2)/E_i, 1/R = sum 1/R_i, 1/m* = sum 1/m_i.
 template <class S>
@@ -10,6 +16,9 @@ struct basic_pair {
   typename S::modulus reduced_modulus; ///< E*; the relaxed (slow) one where a crack law is present
   typename S::length reduced_radius;   ///< R
   typename S::mass reduced_mass;       ///< m*
+  /// Not in the loop: spin and motion along the surface follow from the sliding of the contact point.
+  struct nothing {};
+  [[no_unique_address]] std::conditional_t<std::same_as<S, dimensional>, two_bodies, nothing> bodies{};
 };
 using contact_pair = basic_pair<dimensional>;
 
@@ -25,7 +34,8 @@ inline contact_pair between(const sphere& one, const sphere& other) {
   require("second sphere: radius", other.radius, positive);
   return {.reduced_modulus = 1.0 / (detail::compliance(one.solid) + detail::compliance(other.solid)),
           .reduced_radius = 1.0 / (1.0 / one.radius + 1.0 / other.radius),
-          .reduced_mass = 1.0 / (1.0 / one.mass() + 1.0 / other.mass())};
+          .reduced_mass = 1.0 / (1.0 / one.mass() + 1.0 / other.mass()),
+          .bodies = {one.radius, other.radius, one.mass(), other.mass()}};
 }
 
 /// \throws bad_input naming quantity, value and range.
@@ -33,9 +43,11 @@ inline contact_pair between(const sphere& body, const flat_wall& wall) {
   validate(body.solid, "sphere: ");
   require("sphere: radius", body.radius, positive);
   validate(wall.solid, "wall: ");
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   return {.reduced_modulus = 1.0 / (detail::compliance(body.solid) + detail::compliance(wall.solid)),
           .reduced_radius = body.radius,
-          .reduced_mass = body.mass()};
+          .reduced_mass = body.mass(),
+          .bodies = {body.radius, infinite * units::metres, body.mass(), infinite * units::kilograms}};
 }
 
 } // namespace ricochet

@@ -12,6 +12,7 @@ struct elastic {};
 struct adhesion {};
 struct crack {};
 struct damping {};
+struct tangential {};
 struct end {};     ///< where a contact without adhesion lets go
 struct request {}; ///< what the outcome shall report beyond ending and restitution
 } // namespace role

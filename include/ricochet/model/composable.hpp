@@ -5,6 +5,7 @@
 #include <ricochet/law/crack/crack_velocity_law.hpp>
 #include <ricochet/law/damping/bulk_damping_law.hpp>
 #include <ricochet/law/elastic/elastic_law.hpp>
+#include <ricochet/law/tangential/tangential_law.hpp>
 
 #include <string_view>
 
@@ -12,7 +13,7 @@ namespace ricochet {
 
 /// How many laws of each role a composition names; `attraction` of the adhesion laws are forces without an edge.
 struct role_count {
-  int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0, attraction = 0;
+  int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0, attraction = 0, tangential = 0;
 };
 
 /// Empty if laws in these numbers go together, else the sentence of refusal.
@@ -27,6 +28,8 @@ constexpr std::string_view refusal(const role_count& n) {
     return "two crack-velocity laws were given: keep one";
   if (n.damping > 1)
     return "two bulk damping laws were given: keep one";
+  if (n.tangential > 1)
+    return "two tangential laws were given: keep one";
   if (n.end > 1)
     return "two end conditions were given: keep one";
   if (n.crack == 1 && n.adhesion == n.attraction)
@@ -43,7 +46,8 @@ constexpr role_count count_roles() {
           .crack = (int(plays<Laws, role::crack>) + ... + 0),
           .damping = (int(plays<Laws, role::damping>) + ... + 0),
           .end = (int(plays<Laws, role::end>) + ... + 0),
-          .attraction = (int(attraction_law<Laws>) + ... + 0)};
+          .attraction = (int(attraction_law<Laws>) + ... + 0),
+          .tangential = (int(plays<Laws, role::tangential>) + ... + 0)};
 }
 
 /// Can these laws be composed?

@@ -11,7 +11,8 @@ template <class L>
 consteval bool diagnose() {
   static_assert(has_role<L>,
                 "every argument of compose() after the pair must be a law or a request: it needs `using role = ...`");
-  if constexpr (plays<L, role::elastic> || plays<L, role::adhesion> || plays<L, role::crack> || plays<L, role::damping>)
+  if constexpr (plays<L, role::elastic> || plays<L, role::adhesion> || plays<L, role::crack> ||
+                plays<L, role::damping> || plays<L, role::tangential>)
     static_assert(any_law<L>, "a law needs `template <class S> using in = ...`, its form in the number system S, and "
                               "`static constexpr auto parameters()` (law/role.hpp)");
   if constexpr (plays<L, role::elastic>)
@@ -31,6 +32,9 @@ consteval bool diagnose() {
     static_assert(bulk_damping_law<L>,
                   "bulk damping law: coefficient(pair, configuration) is missing or returns another "
                   "type (law/damping/bulk_damping_law.hpp)");
+  if constexpr (plays<L, role::tangential>)
+    static_assert(tangential_law<L>, "tangential law: sliding_force(elastic_force) is missing or returns another type "
+                                     "(law/tangential/tangential_law.hpp)");
   return true;
 }
 
@@ -82,6 +86,8 @@ void check_dimensions() {
     (void)[](const Law& law, pair p, energy_per_area w) { (void)speed(law.speed_scale(p, w)); };
   else if constexpr (plays<Law, role::damping>)
     (void)[](const Law& law, pair p, part c) { (void)damping(law.coefficient(p, c)); };
+  else if constexpr (plays<Law, role::tangential>)
+    (void)[](const Law& law, force f) { (void)force(law.sliding_force(f)); };
 }
 
 template <class Law>
@@ -110,6 +116,7 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert(n.adhesion < 2, "two adhesion laws were given: keep one");
   static_assert(n.crack < 2, "two crack-velocity laws were given: keep one");
   static_assert(n.damping < 2, "two bulk damping laws were given: keep one");
+  static_assert(n.tangential < 2, "two tangential laws were given: keep one");
   static_assert(n.end < 2, "two end conditions were given: keep one");
   static_assert(n.crack == 0 || n.adhesion != n.attraction,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
@@ -124,6 +131,7 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     auto adhesion = detail::pick<role::adhesion>(absent<role::adhesion>{}, arguments...);
     auto crack = detail::pick<role::crack>(absent<role::crack>{}, arguments...);
     auto damping = detail::pick<role::damping>(absent<role::damping>{}, arguments...);
+    auto tangential = detail::pick<role::tangential>(absent<role::tangential>{}, arguments...);
     // Pulled by a force without an edge, a contact lets go where its overlap vanishes.
     using end_by_default = std::conditional_t<n.attraction != 0, end_at_zero_overlap, end_at_zero_force>;
     const auto end = detail::pick<role::end>(end_by_default{}, arguments...);
@@ -131,12 +139,14 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     detail::admit(adhesion);
     detail::admit(crack);
     detail::admit(damping);
+    detail::admit(tangential);
     constexpr requests asked{.ledger = detail::names<energy_ledger, Arguments...>,
                              .duration = detail::names<contact_duration, Arguments...>,
                              .extremes = detail::names<extremes, Arguments...>,
                              .trajectory = detail::names<trajectory, Arguments...>};
     return contact_model<decltype(elastic), decltype(adhesion), decltype(crack), decltype(damping),
-                         std::remove_const_t<decltype(end)>, asked>{pair, elastic, adhesion, crack, damping};
+                         decltype(tangential), std::remove_const_t<decltype(end)>, asked>{pair,  elastic, adhesion,
+                                                                                          crack, damping, tangential};
   }
 }
 

@@ -7,7 +7,7 @@ namespace ricochet {
 
 /// The physics of a scene: a pair of bodies and one law for each role that is there. Made by compose(); constant
 /// thereafter, so that many threads may use one model.
-template <class Elastic, class Adhesion, class Crack, class Damping, class End, requests Asked>
+template <class Elastic, class Adhesion, class Crack, class Damping, class Tangential, class End, requests Asked>
 struct contact_model {
   using end_condition = End;
   static constexpr requests asked = Asked;
@@ -15,16 +15,18 @@ struct contact_model {
   static constexpr bool adhesive = is_present<Adhesion> && !attracted; ///< adhesion is a work done at the edge
   static constexpr bool damped = is_present<Damping>;
   static constexpr bool has_crack_law = is_present<Crack>;
+  static constexpr bool slides = is_present<Tangential>;
 
   contact_pair pair;
   [[no_unique_address]] Elastic elastic;
   [[no_unique_address]] Adhesion adhesion;
   [[no_unique_address]] Crack crack;
   [[no_unique_address]] Damping damping;
+  [[no_unique_address]] Tangential tangential;
 
   /// The same scene with the static edge: the limit of an infinitely fast crack.
-  contact_model<Elastic, Adhesion, absent<role::crack>, Damping, End, Asked> with_static_edge() const {
-    return {pair, elastic, adhesion, {}, damping};
+  contact_model<Elastic, Adhesion, absent<role::crack>, Damping, Tangential, End, Asked> with_static_edge() const {
+    return {pair, elastic, adhesion, {}, damping, tangential};
   }
 
   /// Scales in which an impact at this speed is computed.

@@ -20,6 +20,7 @@ class reduced_model {
   using adhesion_type = in_numbers<decltype(Model::adhesion)>;
   using crack_type = in_numbers<decltype(Model::crack)>;
   using damping_type = in_numbers<decltype(Model::damping)>;
+  using tangential_type = in_numbers<decltype(Model::tangential)>;
 
 public:
   using number = T;
@@ -28,14 +29,16 @@ public:
   static constexpr bool attracted = Model::attracted;
   static constexpr bool damped = Model::damped;
   static constexpr bool free_edge = Model::has_crack_law;
+  static constexpr bool slides = Model::slides;
   static constexpr bool root_coordinate =
       adhesive || needs_root_radius<decltype(Model::elastic)> || needs_root_radius<decltype(Model::damping)>;
-  static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory;
+  static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || slides;
 
   using coordinate_t = std::conditional_t<root_coordinate, root_contact_radius_t, contact_radius_t>;
   using unknowns = join<variables<coordinate_t, approach_rate_t>, optionally<mutual_approach_t, free_edge>,
                         optionally<elapsed_time_t, keeps_time>, optionally<bulk_loss_t, Model::asked.ledger && damped>,
-                        optionally<crack_loss_t, Model::asked.ledger && (free_edge || attracted)>>;
+                        optionally<crack_loss_t, Model::asked.ledger && (free_edge || attracted)>,
+                        std::conditional_t<slides, variables<slip_t, slip_distance_t>, variables<>>>;
   using state_type = state<T, unknowns>;
   static constexpr coordinate_t coordinate{};
 
@@ -44,6 +47,7 @@ public:
   [[no_unique_address]] adhesion_type adhesion;
   [[no_unique_address]] crack_type crack;
   [[no_unique_address]] damping_type damping;
+  [[no_unique_address]] tangential_type tangential;
 
   reduced_model(const Model& model, const scales& unit)
       : reduced_model(model, [&unit](const auto& quantity) { return reduce<T>(quantity, unit); }) {}
@@ -170,8 +174,8 @@ public:
   /// U_E + U_S.
   T potential(const configuration<reduced<T>>& c) const { return elastic.stored_energy(pair, c) + surface_energy(c); }
 
-  /// dx/d(sigma); false outside the domain.
-  bool derivative(const state_type& x, state_type& dx, int piece) const {
+  /// dx/d(sigma); false outside the domain. `sliding`: the contact point slides, else it rolls.
+  bool derivative(const state_type& x, state_type& dx, int piece, bool sliding = false) const {
     const instant now = at(x, piece);
     if (!now.inside)
       return false;
@@ -188,6 +192,13 @@ public:
     if constexpr (Model::asked.ledger && free_edge) // [K (C.2)] with da = 2y dy
       dx[crack_loss] = T(4) * pi<T>() * now.c.radius * adhesion.work_of_adhesion * (T(1) - now.root_ratio) *
                        (T(1) + now.root_ratio) * x[coordinate] * now.coordinate_rate;
+    if constexpr (slides) { // homogeneous spheres: 1/m* + sum R_i^2/I_i = 7/2m*
+      dx[slip] =
+          sliding
+              ? T(-T(7) / T(2) * tangential.sliding_force(elastic.force(pair, now.c)) * now.clock / pair.reduced_mass)
+              : T(0);
+      dx[slip_distance] = x[slip] * now.clock;
+    }
     if constexpr (Model::asked.ledger && attracted)
       dx[crack_loss] = rebound_now * now.c.rate * now.clock;
     return true;
@@ -235,7 +246,8 @@ private:
              convert(source.pair.reduced_mass)},
         elastic(rebind_law<reduced<T>>(source.elastic, convert)),
         adhesion(rebind_law<reduced<T>>(source.adhesion, convert)),
-        crack(rebind_law<reduced<T>>(source.crack, convert)), damping(rebind_law<reduced<T>>(source.damping, convert)) {
+        crack(rebind_law<reduced<T>>(source.crack, convert)), damping(rebind_law<reduced<T>>(source.damping, convert)),
+        tangential(rebind_law<reduced<T>>(source.tangential, convert)) {
     prepare();
   }
 

@@ -54,6 +54,10 @@ inline constexpr struct crack_loss_t {
 } crack_loss;
 inline constexpr struct bulk_loss_t {
 } bulk_loss;
+inline constexpr struct slip_t { ///< speed at which the contact point slides
+} slip;
+inline constexpr struct slip_distance_t {
+} slip_distance;
 
 /// Packed state, read by name: x[approach_rate]. Works with odeint's steppers (model/odeint.hpp).
 template <class T, class Variables>

@@ -1,5 +1,6 @@
 #pragma once
 #include <ricochet/model/requests.hpp>
+#include <ricochet/units.hpp>
 
 #include <optional>
 #include <string>
@@ -51,6 +52,17 @@ struct extremes_result {
   Force max_compression{}; ///< likewise
 };
 
+/// Of a model with a tangential law: the sliding of the contact point at the ending; oblique.hpp has what follows for
+/// the bodies.
+template <class Speed, class Length, class Duration>
+struct sliding_result {
+  Speed slip{};                   ///< speed at which it still slides; 0 once it rolls
+  double slip_error_estimate = 0; ///< bound of its error, in units of the slip at first touch
+  Length slip_distance{};         ///< over which it has slid
+  Duration elapsed_time{};        ///< since first touch
+  Speed approach_rate{};          ///< of the bodies, < 0 when they separate
+};
+
 template <class Column>
 struct trajectory_columns {
   Column time, mutual_approach, approach_rate, contact_radius, elastic_force, damping_force, kinetic_energy,
@@ -71,11 +83,12 @@ using part = std::conditional_t<Wanted, Part, nothing<Place>>;
 } // namespace detail
 
 /// What came out of a collision. The parts that were not asked for in compose() are not there.
-template <class T, class Length, class Duration, class Force, requests Asked>
+template <class T, class Length, class Duration, class Force, class Speed, requests Asked, bool Slides>
 struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.duration, duration_result<Duration>, 1>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
-                       detail::part<Asked.trajectory, trajectory_result, 3> {
+                       detail::part<Asked.trajectory, trajectory_result, 3>,
+                       detail::part<Slides, sliding_result<Speed, Length, Duration>, 4> {
   ricochet::ending ending = ricochet::ending::failed;
   std::optional<T> restitution;  ///< of the final separation; absent when the bodies did not separate
   bool ending_is_certain = true; ///< false so near a threshold that the error bound does not decide
@@ -88,8 +101,8 @@ struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
 
 /// The outcome that a contact model gives, in SI units; and on the numbers T of its reduced form.
 template <class Model>
-using outcome_of = basic_outcome<double, length, duration, force, Model::asked>;
+using outcome_of = basic_outcome<double, length, duration, force, speed, Model::asked, Model::slides>;
 template <class T, class Model>
-using reduced_outcome_of = basic_outcome<T, T, T, T, Model::asked>;
+using reduced_outcome_of = basic_outcome<T, T, T, T, T, Model::asked, Model::slides>;
 
 } // namespace ricochet

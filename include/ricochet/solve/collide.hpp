@@ -5,9 +5,11 @@
 
 namespace ricochet {
 
-/// A head-on impact. speed: of approach at first touch, > 0.
+/// An impact as the contact sees it. speed: of approach at first touch, > 0. slip: speed at which the contact point
+/// slides then, >= 0; needs a tangential law. oblique.hpp has impacts by angle, velocity and spin.
 struct impact {
   ricochet::speed speed;
+  ricochet::speed slip{};
 };
 
 /// tolerance: largest error wanted in the restitution, absolute, 1e-12 to 1e-1.
@@ -24,7 +26,8 @@ namespace detail {
 /// Solves at two step tolerances until their difference says that the restitution is known to the tolerance, or until
 /// round-off forbids better. The finer solution is the result, the difference the bound of its error.
 template <class Stepper, class Reduced>
-auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& speed, const collide_options& options) {
+auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& speed,
+                        const typename Reduced::number& slip_at_touch, const collide_options& options) {
   using T = typename Reduced::number;
   using real = real_of<T>;
   const real wanted = real(options.tolerance), finest = 4 * std::numeric_limits<real>::epsilon();
@@ -36,8 +39,8 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     tolerance = max(tolerance, finest);
     collision<Reduced, Stepper> coarse(model, tolerance, options.max_evaluations),
         fine(model, tolerance / refinement, options.max_evaluations);
-    const auto rough = coarse.solve(speed);
-    auto out = fine.solve(speed);
+    const auto rough = coarse.solve(speed, slip_at_touch);
+    auto out = fine.solve(speed, slip_at_touch);
     const long fine_evaluations = out.evaluations;
     out.evaluations = evaluations += rough.evaluations + out.evaluations;
     out.rejected_steps = rejected += rough.rejected_steps + out.rejected_steps;
@@ -85,6 +88,10 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
       out.ending_is_certain &= excess > 2 * energy_error && !(fine.near_miss() < miss);
     }
     out.error_estimate = static_cast<double>(error);
+    if constexpr (Reduced::slides)
+      if (value_of(slip_at_touch) > real(0))
+        out.slip_error_estimate = static_cast<double>(
+            abs(value_of(out.slip - rough.slip)) * 3 / 2 / value_of(slip_at_touch) + by_chance * v + round_off);
     if ((error <= wanted && out.ending_is_certain) || last_round)
       return out;
     tolerance *= max<real>(real(1e-4), min<real>(real(0.3), wanted / (2 * error)));
@@ -113,6 +120,14 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
     out.max_tension = numbers.max_tension * newton * units::newtons;
     out.max_compression = numbers.max_compression * newton * units::newtons;
   }
+  if constexpr (Model::slides) {
+    const double metre_per_second = unit.length / unit.duration;
+    out.slip = numbers.slip * metre_per_second * units::metres_per_second;
+    out.slip_error_estimate = numbers.slip_error_estimate;
+    out.slip_distance = numbers.slip_distance * unit.length * units::metres;
+    out.elapsed_time = numbers.elapsed_time * unit.duration * units::seconds;
+    out.approach_rate = numbers.approach_rate * metre_per_second * units::metres_per_second;
+  }
   if constexpr (Model::asked.trajectory) {
     out.trajectory = numbers.trajectory;
     const auto scale = [](std::vector<double>& column, double factor) {
@@ -133,6 +148,15 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
   return out;
 }
 
+template <class Model>
+void admit(const impact& impact, const collide_options& options) {
+  require("speed", impact.speed, positive);
+  require("tolerance", options.tolerance, tolerance_range);
+  require("slip", impact.slip, non_negative);
+  if (!Model::slides && in_si(impact.slip) != 0)
+    throw bad_input("slip = " + shown(in_si(impact.slip)) + " m/s needs a tangential law in the model: add coulomb");
+}
+
 } // namespace detail
 
 /// What comes of this impact: ending, restitution and what compose() was asked for, by integration with the given
@@ -140,15 +164,15 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
 /// \throws bad_input if speed is not positive and finite or the tolerance is outside [1e-12, 1e-1].
 template <class Stepper = stepper::automatic, class Model>
 auto integrate(const Model& model, const impact& impact, const collide_options& options = {}, Stepper = {}) {
-  require("speed", impact.speed, positive);
-  require("tolerance", options.tolerance, tolerance_range);
+  detail::admit<Model>(impact, options);
   if constexpr (Model::has_crack_law) // an edge of infinite speed, or of no energy, is a static one
     if (in_si(model.crack.relaxation_time) == 0 || in_si(model.adhesion.work_of_adhesion) == 0)
       return integrate(model.with_static_edge(), impact, options, Stepper{});
   const scales unit = model.scales_at(impact.speed);
   const reduced_model<double, Model> numbers(model, unit);
-  return detail::in_si_units<Model>(
-      detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit), options), unit);
+  return detail::in_si_units<Model>(detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit),
+                                                                        reduce<double>(impact.slip, unit), options),
+                                    unit);
 }
 
 /// What comes of this impact: from the closed form where one gives all that is asked for, else by integrate().
@@ -156,8 +180,7 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
 template <class Model>
 auto collide(const Model& model, const impact& impact, const collide_options& options = {}) {
   if constexpr (closed_form::solved<Model>) {
-    require("speed", impact.speed, positive);
-    require("tolerance", options.tolerance, tolerance_range);
+    detail::admit<Model>(impact, options);
     return closed_form::solve(model, impact.speed);
   } else {
     return integrate(model, impact, options);

@@ -26,9 +26,12 @@ public:
   }
   collision(const collision&) = delete;
 
-  outcome_type solve(const T& speed) {
+  /// \param slip speed at which the contact point slides at first touch, >= 0; of no consequence without friction
+  outcome_type solve(const T& speed, [[maybe_unused]] const T& slip_at_touch = T(0)) {
     ledger_.impact(speed);
     state_type x = model_.touch(speed);
+    if constexpr (Reduced::slides)
+      x[slip] = slip_at_touch;
     for (;; ++out_.contacts) {
       touched(x);
       if (capture_.certain() || !follow_contact(x))
@@ -50,6 +53,12 @@ public:
     out_.evaluations = flow_.evaluations;
     if constexpr (asked.duration)
       out_.contact_duration = x[elapsed_time];
+    if constexpr (Reduced::slides) {
+      out_.slip = x[slip];
+      out_.slip_distance = x[slip_distance];
+      out_.elapsed_time = x[elapsed_time];
+      out_.approach_rate = x[approach_rate];
+    }
     ledger_.close(now(x), out_.ending == ending::separated);
     ledger_.report(out_, x);
     observers_.report(out_);
@@ -73,6 +82,8 @@ private:
 
   void touched(const state_type& x) {
     flow_.piece = 0;
+    if constexpr (Reduced::slides)
+      flow_.sliding = value_of(x[slip]) > real(0);
     approaching_ = true;
     ledger_.touch(now(x));
     if (has_turned_)
@@ -143,6 +154,11 @@ private:
       }
       if (which == event::letting_go || which == event::zero_force)
         return true;
+      if constexpr (Reduced::slides)
+        if (which == event::rolling) {
+          x[slip] = T(0);
+          flow_.sliding = false;
+        }
       happened(which, x);
       if (capture_.certain() && !(asked.extremes && edge_.grows(flow_.piece)))
         return false;
@@ -154,6 +170,8 @@ private:
 
   /// The contact goes on after this event.
   void happened(event which, const state_type& x) {
+    if (which == event::rolling)
+      return;
     if (which != event::turning) {
       flow_.piece = edge_.beyond(x, flow_.piece, which == event::leaving_above);
       return;
@@ -200,6 +218,10 @@ private:
       next[bulk_loss] = x[bulk_loss];
     if constexpr (asked.ledger && (Reduced::free_edge || Reduced::attracted))
       next[crack_loss] = x[crack_loss];
+    if constexpr (Reduced::slides) {
+      next[slip] = x[slip];
+      next[slip_distance] = x[slip_distance] + x[slip] * (next[elapsed_time] - x[elapsed_time]);
+    }
     return next;
   }
 

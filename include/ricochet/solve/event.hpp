@@ -14,8 +14,9 @@ enum class event {
   zero_force,    ///< end of a damped contact without adhesion
   leaving_below, ///< of the crack law's piece, towards smaller beta
   leaving_above, ///< of the crack law's piece, towards larger beta
+  rolling,       ///< the contact point slides no longer
 };
-inline constexpr std::size_t event_count = 5;
+inline constexpr std::size_t event_count = 6;
 
 /// The events that a model has, evaluated at a state; +1 for those it has not.
 template <class Reduced>
@@ -64,6 +65,10 @@ public:
         if (std::size_t(piece) < joint_count)
           return root_of_joint(piece) - model_.at(x, piece).root_ratio;
       }
+      break;
+    case event::rolling:
+      if constexpr (Reduced::slides)
+        return x[slip];
       break;
     }
     return T(1);
@@ -143,8 +148,8 @@ public:
   template <class Method>
   found_event<state_type, real> first(Method& method, const state_type& x, const attempt<state_type, real>& tried) {
     found_event<state_type, real> found{std::nullopt, tried.taken, tried.x, true};
-    for (const event which :
-         {event::letting_go, event::zero_force, event::turning, event::leaving_below, event::leaving_above}) {
+    for (const event which : {event::letting_go, event::zero_force, event::turning, event::leaving_below,
+                              event::leaving_above, event::rolling}) {
       if (!armed_[std::size_t(which)] || value_of(value(which, found.x)) > real(0))
         continue;
       if (!(value_of(value(which, x)) > real(0)))

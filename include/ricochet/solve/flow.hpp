@@ -13,12 +13,13 @@ struct flow {
 
   const Reduced& model;
   int piece = 0;        ///< of the crack law; held during a step, so that every step is smooth
+  bool sliding = false; ///< of the contact point; held likewise
   bool outside = false; ///< set when a stage left the domain of the equations; its step has to be rejected
   long evaluations = 0;
 
   void operator()(const state_type& x, state_type& dx, const real&) {
     ++evaluations;
-    if (model.derivative(x, dx, piece))
+    if (model.derivative(x, dx, piece, sliding))
       return;
     outside = true;
     for (auto& component : dx)
