@@ -11,6 +11,7 @@
 #include <boost/units/systems/si/length.hpp>
 #include <boost/units/systems/si/mass.hpp>
 #include <boost/units/systems/si/mass_density.hpp>
+#include <boost/units/systems/si/momentum.hpp>
 #include <boost/units/systems/si/pressure.hpp>
 #include <boost/units/systems/si/surface_tension.hpp>
 #include <boost/units/systems/si/time.hpp>
@@ -28,6 +29,7 @@ using modulus = boost::units::quantity<si::pressure>;
 using speed = boost::units::quantity<si::velocity>;
 using force = boost::units::quantity<si::force>;
 using energy = boost::units::quantity<si::energy>;
+using momentum = boost::units::quantity<si::momentum>;
 using energy_per_area = boost::units::quantity<si::surface_tension>;
 using inverse_speed = boost::units::quantity<boost::units::divide_typeof_helper<si::dimensionless, si::velocity>::type>;
 using damping = boost::units::divide_typeof_helper<force, speed>::type;
@@ -162,6 +164,7 @@ constexpr const char* unit_symbol(energy) { return "J"; }
 constexpr const char* unit_symbol(energy_per_area) { return "J/m^2"; }
 constexpr const char* unit_symbol(inverse_speed) { return "s/m"; }
 constexpr const char* unit_symbol(damping) { return "N s/m"; }
+constexpr const char* unit_symbol(momentum) { return "N s"; }
 constexpr const char* unit_symbol(angular_speed) { return "rad/s"; }
 template <class Unit>
 constexpr const char* unit_symbol(const boost::units::quantity<Unit>&) {

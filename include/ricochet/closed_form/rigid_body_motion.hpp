@@ -6,15 +6,9 @@
 #pragma once
 #include <ricochet/body/sphere.hpp>
 
-#include <boost/units/systems/si/frequency.hpp>
-#include <boost/units/systems/si/momentum.hpp>
-
 #include <optional>
 
 namespace ricochet::closed_form::rigid_body {
-
-using angular_velocity = boost::units::quantity<si::frequency>; ///< radians have no dimension
-using impulse = boost::units::quantity<si::momentum>;
 
 /// Homogeneous: radius of gyration squared = 2/5 r^2. Both > 0.
 struct solid_sphere {
@@ -25,7 +19,7 @@ struct solid_sphere {
 /// Before or after the impact: normal > 0 closing, < 0 leaving.
 struct velocities {
   speed normal, tangential;
-  angular_velocity angular;
+  angular_speed angular;
 };
 
 struct coefficients {
@@ -40,7 +34,7 @@ struct coefficients {
 
 /// Known impulses of other forces during the two phases (P_E), > 0 away from the wall.
 struct external_impulses {
-  impulse approach{}, rebound{};
+  momentum approach{}, rebound{};
 };
 
 /// Closed range of a ratio.
@@ -120,10 +114,10 @@ inline double restitution(const solid_sphere& body, const velocities& before, co
                           const external_impulses& external = {}) {
   detail::validate(body, before);
   detail::validate(c);
-  const impulse arriving = body.mass * before.normal;
+  const momentum arriving = body.mass * before.normal;
   require("external impulse of approach", external.approach,
           {.low = detail::finite.low, .high = in_si(arriving), .low_included = false, .high_included = true});
-  const impulse restored =
+  const momentum restored =
       (1 - c.adhesion_coefficient) * c.restitution_without_adhesion * (arriving - external.approach);
   require("external impulse of rebound", external.rebound, {.low = 0 - in_si(restored)});
   return (restored + external.rebound) / arriving;
@@ -164,7 +158,7 @@ inline double limiting_impulse_ratio(const solid_sphere& body, const velocities&
 inline velocities after_impact(const solid_sphere& body, const velocities& before, const coefficients& c,
                                const external_impulses& external = {}) {
   const auto at = detail::reduce(body, before, c, external);
-  if (external.approach == impulse() && external.rebound == impulse() &&
+  if (external.approach == momentum() && external.rebound == momentum() &&
       !(at.loss(c.impulse_ratio) >= -detail::round_off * at.initial_energy())) {
     detail::require_moment_that_loses(at, body, c);
     require("impulse_ratio", c.impulse_ratio, detail::closed(at.ratios_that_lose()));
@@ -180,7 +174,7 @@ inline velocities after_impact(const solid_sphere& body, const velocities& befor
 /// body: kg, m; before, after: m/s, 1/s.
 /// Valid with and without external impulses.
 /// Source: Brach & Dunn 1995 (A17); the tangential one is mu P_n, the moment mu_m a_c P_n.
-inline impulse normal_impulse(const solid_sphere& body, const velocities& before, const velocities& after) {
+inline momentum normal_impulse(const solid_sphere& body, const velocities& before, const velocities& after) {
   return body.mass * (before.normal - after.normal);
 }
 
