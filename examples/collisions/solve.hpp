@@ -10,7 +10,7 @@
 
 namespace collisions {
 
-using outcome = ricochet::basic_outcome<double, ricochet::length, ricochet::duration, ricochet::force,
+using outcome = ricochet::basic_outcome<double, ricochet::length, ricochet::duration, ricochet::force, ricochet::speed,
                                         ricochet::requests{.ledger = true, .duration = true, .extremes = true}>;
 
 // One for each stepper, each compiled in a file of its own: stepper_*.cpp.

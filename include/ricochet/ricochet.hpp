@@ -19,6 +19,8 @@
 
 #include <ricochet/law/tangential/coulomb.hpp>
 
+#include <ricochet/law/plasticity/thornton_ning.hpp>
+
 #include <ricochet/closed_form/brach_dunn.hpp>
 #include <ricochet/closed_form/contact_duration.hpp>
 #include <ricochet/closed_form/hertz.hpp>

@@ -8,7 +8,7 @@ using namespace ricochet;
 namespace {
 
 template <requests Asked>
-using outcome = basic_outcome<double, length, duration, force, Asked>;
+using outcome = basic_outcome<double, length, duration, force, speed, Asked>;
 using plain = outcome<requests{}>;
 using with_ledger = outcome<requests{.ledger = true}>;
 using with_duration = outcome<requests{.duration = true}>;

@@ -17,19 +17,18 @@ template <requests Asked>
 inline constexpr bool asks_outcome_only = !Asked.ledger && !Asked.duration && !Asked.extremes && !Asked.trajectory;
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, absent<role::damping>,
-                               absent<role::tangential>, End, Asked>>
+                               absent<role::tangential>, absent<role::plasticity>, End, Asked>>
     : std::bool_constant<!Asked.ledger && !Asked.extremes && !Asked.trajectory> {};
 template <class End, requests Asked>
-struct is_solved<
-    contact_model<hertz, jkr, absent<role::crack>, absent<role::damping>, absent<role::tangential>, End, Asked>>
-    : std::bool_constant<asks_outcome_only<Asked>> {};
+struct is_solved<contact_model<hertz, jkr, absent<role::crack>, absent<role::damping>, absent<role::tangential>,
+                               absent<role::plasticity>, End, Asked>> : std::bool_constant<asks_outcome_only<Asked>> {};
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, hunt_crossley,
-                               absent<role::tangential>, End, Asked>> : std::bool_constant<asks_outcome_only<Asked>> {};
-template <class End, requests Asked>
-struct is_solved<
-    contact_model<hertz, absent<role::adhesion>, absent<role::crack>, tsuji, absent<role::tangential>, End, Asked>>
+                               absent<role::tangential>, absent<role::plasticity>, End, Asked>>
     : std::bool_constant<asks_outcome_only<Asked>> {};
+template <class End, requests Asked>
+struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, tsuji, absent<role::tangential>,
+                               absent<role::plasticity>, End, Asked>> : std::bool_constant<asks_outcome_only<Asked>> {};
 } // namespace detail
 
 /// A model whose outcome, as far as it is asked for, needs no integration.

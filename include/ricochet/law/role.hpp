@@ -13,6 +13,7 @@ struct adhesion {};
 struct crack {};
 struct damping {};
 struct tangential {};
+struct plasticity {};
 struct end {};     ///< where a contact without adhesion lets go
 struct request {}; ///< what the outcome shall report beyond ending and restitution
 } // namespace role

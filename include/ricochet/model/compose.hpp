@@ -12,7 +12,7 @@ consteval bool diagnose() {
   static_assert(has_role<L>,
                 "every argument of compose() after the pair must be a law or a request: it needs `using role = ...`");
   if constexpr (plays<L, role::elastic> || plays<L, role::adhesion> || plays<L, role::crack> ||
-                plays<L, role::damping> || plays<L, role::tangential>)
+                plays<L, role::damping> || plays<L, role::tangential> || plays<L, role::plasticity>)
     static_assert(any_law<L>, "a law needs `template <class S> using in = ...`, its form in the number system S, and "
                               "`static constexpr auto parameters()` (law/role.hpp)");
   if constexpr (plays<L, role::elastic>)
@@ -35,6 +35,9 @@ consteval bool diagnose() {
   if constexpr (plays<L, role::tangential>)
     static_assert(tangential_law<L>, "tangential law: sliding_force(elastic_force) is missing or returns another type "
                                      "(law/tangential/tangential_law.hpp)");
+  if constexpr (plays<L, role::plasticity>)
+    static_assert(plasticity_law<L>, "plasticity law: loss(pair, speed) is missing or returns another type "
+                                     "(law/plasticity/plasticity_law.hpp)");
   return true;
 }
 
@@ -117,6 +120,9 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert(n.crack < 2, "two crack-velocity laws were given: keep one");
   static_assert(n.damping < 2, "two bulk damping laws were given: keep one");
   static_assert(n.tangential < 2, "two tangential laws were given: keep one");
+  static_assert(n.plasticity < 2, "two plasticity laws were given: keep one");
+  static_assert(n.plasticity == 0 || n.tangential == 0,
+                "plastic flow is added to the normal motion only: drop the tangential law or the plasticity law");
   static_assert(n.end < 2, "two end conditions were given: keep one");
   static_assert(n.crack == 0 || n.adhesion != n.attraction,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
@@ -132,6 +138,7 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     auto crack = detail::pick<role::crack>(absent<role::crack>{}, arguments...);
     auto damping = detail::pick<role::damping>(absent<role::damping>{}, arguments...);
     auto tangential = detail::pick<role::tangential>(absent<role::tangential>{}, arguments...);
+    auto plasticity = detail::pick<role::plasticity>(absent<role::plasticity>{}, arguments...);
     // Pulled by a force without an edge, a contact lets go where its overlap vanishes.
     using end_by_default = std::conditional_t<n.attraction != 0, end_at_zero_overlap, end_at_zero_force>;
     const auto end = detail::pick<role::end>(end_by_default{}, arguments...);
@@ -140,13 +147,14 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     detail::admit(crack);
     detail::admit(damping);
     detail::admit(tangential);
+    detail::admit(plasticity);
     constexpr requests asked{.ledger = detail::names<energy_ledger, Arguments...>,
                              .duration = detail::names<contact_duration, Arguments...>,
                              .extremes = detail::names<extremes, Arguments...>,
                              .trajectory = detail::names<trajectory, Arguments...>};
     return contact_model<decltype(elastic), decltype(adhesion), decltype(crack), decltype(damping),
-                         decltype(tangential), std::remove_const_t<decltype(end)>, asked>{pair,  elastic, adhesion,
-                                                                                          crack, damping, tangential};
+                         decltype(tangential), decltype(plasticity), std::remove_const_t<decltype(end)>, asked>{
+        pair, elastic, adhesion, crack, damping, tangential, plasticity};
   }
 }
 

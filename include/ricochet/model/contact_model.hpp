@@ -7,7 +7,8 @@ namespace ricochet {
 
 /// The physics of a scene: a pair of bodies and one law for each role that is there. Made by compose(); constant
 /// thereafter, so that many threads may use one model.
-template <class Elastic, class Adhesion, class Crack, class Damping, class Tangential, class End, requests Asked>
+template <class Elastic, class Adhesion, class Crack, class Damping, class Tangential, class Plasticity, class End,
+          requests Asked>
 struct contact_model {
   using end_condition = End;
   static constexpr requests asked = Asked;
@@ -16,6 +17,7 @@ struct contact_model {
   static constexpr bool damped = is_present<Damping>;
   static constexpr bool has_crack_law = is_present<Crack>;
   static constexpr bool slides = is_present<Tangential>;
+  static constexpr bool yields = is_present<Plasticity>;
 
   contact_pair pair;
   [[no_unique_address]] Elastic elastic;
@@ -23,10 +25,18 @@ struct contact_model {
   [[no_unique_address]] Crack crack;
   [[no_unique_address]] Damping damping;
   [[no_unique_address]] Tangential tangential;
+  [[no_unique_address]] Plasticity plasticity;
 
   /// The same scene with the static edge: the limit of an infinitely fast crack.
-  contact_model<Elastic, Adhesion, absent<role::crack>, Damping, Tangential, End, Asked> with_static_edge() const {
-    return {pair, elastic, adhesion, {}, damping, tangential};
+  contact_model<Elastic, Adhesion, absent<role::crack>, Damping, Tangential, Plasticity, End, Asked>
+  with_static_edge() const {
+    return {pair, elastic, adhesion, {}, damping, tangential, plasticity};
+  }
+
+  /// The same scene without plastic flow.
+  contact_model<Elastic, Adhesion, Crack, Damping, Tangential, absent<role::plasticity>, End, Asked>
+  without_plasticity() const {
+    return {pair, elastic, adhesion, crack, damping, tangential, {}};
   }
 
   /// Scales in which an impact at this speed is computed.
@@ -60,5 +70,8 @@ struct contact_model {
 private:
   static root_length root(length radius) { return boost::units::root<2>(radius); }
 };
+
+template <class Model>
+using elastic_part = decltype(std::declval<Model>().without_plasticity());
 
 } // namespace ricochet

@@ -83,7 +83,7 @@ using part = std::conditional_t<Wanted, Part, nothing<Place>>;
 } // namespace detail
 
 /// What came out of a collision. The parts that were not asked for in compose() are not there.
-template <class T, class Length, class Duration, class Force, class Speed, requests Asked, bool Slides>
+template <class T, class Length, class Duration, class Force, class Speed, requests Asked, bool Slides = false>
 struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.duration, duration_result<Duration>, 1>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
@@ -99,9 +99,22 @@ struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
   std::string reason;      ///< of an ending that is unresolved or failed
 };
 
+/// Of a model with a plasticity law: what plastic flow took is in the restitution and in the remaining energy; all else
+/// is of the elastic motion.
+template <class Elastic>
+struct plastic_outcome : Elastic {
+  double plastic_loss = 0; ///< in units of the initial kinetic energy
+
+  plastic_outcome() = default;
+  explicit plastic_outcome(const Elastic& elastic) : Elastic(elastic) {}
+};
+
 /// The outcome that a contact model gives, in SI units; and on the numbers T of its reduced form.
 template <class Model>
-using outcome_of = basic_outcome<double, length, duration, force, speed, Model::asked, Model::slides>;
+using elastic_outcome_of = basic_outcome<double, length, duration, force, speed, Model::asked, Model::slides>;
+template <class Model>
+using outcome_of =
+    std::conditional_t<Model::yields, plastic_outcome<elastic_outcome_of<Model>>, elastic_outcome_of<Model>>;
 template <class T, class Model>
 using reduced_outcome_of = basic_outcome<T, T, T, T, T, Model::asked, Model::slides>;
 

@@ -2,6 +2,7 @@
 #include <ricochet/closed_form/closed_outcome.hpp>
 #include <ricochet/solve/automatic.hpp>
 #include <ricochet/solve/collision.hpp>
+#include <ricochet/solve/yielding.hpp>
 
 namespace ricochet {
 
@@ -165,21 +166,28 @@ void admit(const impact& impact, const collide_options& options) {
 template <class Stepper = stepper::automatic, class Model>
 auto integrate(const Model& model, const impact& impact, const collide_options& options = {}, Stepper = {}) {
   detail::admit<Model>(impact, options);
-  if constexpr (Model::has_crack_law) // an edge of infinite speed, or of no energy, is a static one
-    if (in_si(model.crack.relaxation_time) == 0 || in_si(model.adhesion.work_of_adhesion) == 0)
-      return integrate(model.with_static_edge(), impact, options, Stepper{});
-  const scales unit = model.scales_at(impact.speed);
-  const reduced_model<double, Model> numbers(model, unit);
-  return detail::in_si_units<Model>(detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit),
-                                                                        reduce<double>(impact.slip, unit), options),
-                                    unit);
+  if constexpr (Model::yields)
+    return detail::with_plastic_loss(model, impact.speed,
+                                     integrate(model.without_plasticity(), impact, options, Stepper{}));
+  else {
+    if constexpr (Model::has_crack_law) // an edge of infinite speed, or of no energy, is a static one
+      if (in_si(model.crack.relaxation_time) == 0 || in_si(model.adhesion.work_of_adhesion) == 0)
+        return integrate(model.with_static_edge(), impact, options, Stepper{});
+    const scales unit = model.scales_at(impact.speed);
+    const reduced_model<double, Model> numbers(model, unit);
+    return detail::in_si_units<Model>(detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit),
+                                                                          reduce<double>(impact.slip, unit), options),
+                                      unit);
+  }
 }
 
 /// What comes of this impact: from the closed form where one gives all that is asked for, else by integrate().
 /// \throws bad_input as integrate().
 template <class Model>
 auto collide(const Model& model, const impact& impact, const collide_options& options = {}) {
-  if constexpr (closed_form::solved<Model>) {
+  if constexpr (Model::yields) {
+    return detail::with_plastic_loss(model, impact.speed, collide(model.without_plasticity(), impact, options));
+  } else if constexpr (closed_form::solved<Model>) {
     detail::admit<Model>(impact, options);
     return closed_form::solve(model, impact.speed);
   } else {

@@ -39,7 +39,7 @@ sticking_threshold sticking_speed(const Model& model, speed low, speed high, dou
     decided = out.ending_is_certain;
     if (out.restitution) {
       near = nearer;
-      nearer = point{in_si(v), Model::has_crack_law ? *out.restitution : square(*out.restitution)};
+      nearer = point{in_si(v), Model::has_crack_law && !Model::yields ? *out.restitution : square(*out.restitution)};
     }
     return out.ending == ending::captured;
   };
