@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(plastic_flow_alone_gives_its_factor) {
 
 BOOST_AUTO_TEST_CASE(its_loss_is_added_to_the_others) { // [K (30)]
   const auto elastic = compose(ice.pair, hertz{}, ice.adhesive, ice.fitted(), ice.viscous, energy_ledger{});
-  const thornton_ning ductile{.yield_strength = 300.0 * megapascals};
+  const thornton_ning ductile{.yield_strength = 200.0 * megapascals};
   const auto yielding = compose(ice.pair, ductile, hertz{}, ice.adhesive, ice.fitted(), ice.viscous, energy_ledger{});
   bool captured = false, separated = false;
   for (const double v : {2., 3.6, 5., 8., 12., 20., 40.}) {
@@ -51,11 +51,11 @@ BOOST_AUTO_TEST_CASE(its_loss_is_added_to_the_others) { // [K (30)]
 
 BOOST_AUTO_TEST_CASE(the_sticking_speed_knows_of_it) {
   const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.fitted(), ice.viscous,
-                             thornton_ning{.yield_strength = 300.0 * megapascals});
+                             thornton_ning{.yield_strength = 200.0 * megapascals});
   const auto found = sticking_speed(model, 1.0 * metres_per_second, 30.0 * metres_per_second, 1e-8);
   const auto elastic = sticking_speed(compose(ice.pair, hertz{}, ice.adhesive, ice.fitted(), ice.viscous),
                                       1.0 * metres_per_second, 30.0 * metres_per_second, 1e-8);
-  BOOST_TEST(in_si(found.value()) > in_si(elastic.value()));
+  BOOST_TEST(in_si(found.value()) > 1.001 * in_si(elastic.value()));
   BOOST_TEST(in_si(found.smallest_separated) / in_si(found.largest_captured) - 1 < 1.1e-8);
 }
 
