@@ -12,6 +12,7 @@
 #include <ricochet/law/crack/greenwood_fit.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
+#include <ricochet/study/regime.hpp>
 #include <ricochet/study/threshold.hpp>
 
 #include <cmath>
@@ -44,5 +45,13 @@ int main() {
   const double e = show("greenwood_fit", fitted);
   std::printf("%-15s e(8 m/s) = %.4f\n", "losses added",
               *closed_form::independent_losses(pair, adhesive.work_of_adhesion, viscous.bulk_time, v));
+
+  const auto regime = regime_of(exact, v, {}, grain.solid.poissons_ratio);
+  std::printf(
+      "Tabor number %.3g; %.3g times the JKR sticking speed; relaxation time over its quasi-static limits: bulk "
+      "%.3g, edge %.3g\n",
+      *regime.tabor_number, *regime.speed_over_capture, *regime.bulk_loss_scale, *regime.edge_loss_scale);
+  for (const std::string& warning : regime.warnings()) // none here
+    std::printf("warning: %s\n", warning.c_str());
   return std::abs(e - 0.656742881328) < 1e-9 ? 0 : 1;
 }

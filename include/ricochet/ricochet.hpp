@@ -37,6 +37,7 @@
 #include <ricochet/solve/oblique.hpp>
 #include <ricochet/solve/steppers.hpp>
 
+#include <ricochet/study/regime.hpp>
 #include <ricochet/study/sweep.hpp>
 #include <ricochet/study/table.hpp>
 #include <ricochet/study/threshold.hpp>
