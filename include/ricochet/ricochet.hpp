@@ -28,6 +28,7 @@
 #include <ricochet/closed_form/independent_losses.hpp>
 #include <ricochet/closed_form/jkr.hpp>
 #include <ricochet/closed_form/regime.hpp>
+#include <ricochet/closed_form/rigid_body.hpp>
 #include <ricochet/closed_form/thornton_ning.hpp>
 #include <ricochet/closed_form/tsuji.hpp>
 #include <ricochet/closed_form/viscoelastic_hertz.hpp>

@@ -2,6 +2,7 @@
 
 #include <ricochet/body/materials.hpp>
 #include <ricochet/closed_form/brach_dunn.hpp>
+#include <ricochet/closed_form/hertz.hpp>
 
 using namespace ricochet;
 using namespace ricochet::units;
@@ -34,4 +35,16 @@ BOOST_AUTO_TEST_CASE(at_the_equilibrium_depth_the_forces_balance) {
   const double K = 4. / 3 * in_si(glass_on_steel.reduced_modulus);
   BOOST_TEST(K * a * a * a / r == 2 * pi<double>() * 250 * a, boost::test_tools::tolerance(1e-14));
   BOOST_CHECK_THROW(closed_form::equilibrium_depth(glass_on_steel, -1.0 * f0), bad_input);
+}
+
+BOOST_AUTO_TEST_CASE(the_hertzian_block_of_table_1_is_that_of_the_smaller_sphere) {
+  const material glass{72.0 * gigapascals, 0.21, 2600.0 * kilograms_per_cubic_metre},
+      steel{207.0 * gigapascals, 0.27, 7800.0 * kilograms_per_cubic_metre};
+  const speed v = 2.8 * metres_per_second;
+  const auto radius = [&](double diameter) {
+    return in_si(
+        closed_form::max_contact_radius(between(sphere{glass, diameter / 2 * micrometres}, flat_wall{steel}), v));
+  };
+  BOOST_TEST(std::abs(radius(8.6) - 2.911e-7) < 0.0006e-7);
+  BOOST_TEST(std::abs(radius(10.12) - 3.4252e-7) < 0.0001e-7);
 }
