@@ -1,4 +1,4 @@
-// expects: an end condition is only for contacts without adhesion: with jkr the edge decides where contact ends
+// expects: an end condition is only for contacts without adhesion: with adhesion the contact lets go where it tears
 
 #include "scene.hpp"
 

@@ -88,7 +88,7 @@ public:
     now.inside = true;
     if constexpr (free_edge) {
       now.c.approach = x[mutual_approach];
-      now.root_ratio = (elastic.load_free_approach(pair, now.c.radius) - now.c.approach) / (flattening_ * y);
+      now.root_ratio = root_ratio(x);
       now.inside = value_of(y) > 0 && value_of(now.root_ratio) > 0;
       if (!now.inside)
         return now;
@@ -124,6 +124,12 @@ public:
 
   /// The `piece` of an edge held at joint j.
   static constexpr int sliding(int joint) { return -1 - joint; }
+
+  /// sqrt(beta) of a free edge, without its law.
+  T root_ratio(const state_type& x) const requires free_edge {
+    const T& y = x[coordinate];
+    return (elastic.load_free_approach(pair, T(y * y)) - x[mutual_approach]) / (flattening_ * y);
+  }
 
   /// d(sqrt beta)/d(sigma), by the law of this piece.
   T root_ratio_rate(const state_type& x, int piece) const requires free_edge {

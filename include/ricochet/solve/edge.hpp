@@ -50,7 +50,7 @@ public:
   real time_to_rest(const state_type& x, int piece) const {
     if constexpr (Reduced::free_edge)
       if (piece >= 0) {
-        const real gap = value_of(model_.at(x, piece).root_ratio) - real(1);
+        const real gap = value_of(model_.root_ratio(x)) - real(1);
         const real time = -gap / value_of(model_.root_ratio_rate(x, piece));
         if (time > real(0))
           return time;

@@ -39,7 +39,7 @@ public:
       return approaching ? x[approach_rate] : T(-x[approach_rate]);
     case event::letting_go:
       if constexpr (Reduced::free_edge)
-        return piece < 0 ? T(1) : model_.at(x, piece).slowness;
+        return std::size_t(piece) == joint_count ? model_.at(x, piece).slowness : T(1); // only the last piece opens
       else
         return x[Reduced::coordinate] - fold_;
     case event::zero_force:
@@ -55,7 +55,7 @@ public:
         if (piece < 0)
           return model_.root_ratio_rate(x, -1 - piece);
         if (piece > 0)
-          return model_.at(x, piece).root_ratio - root_of_joint(piece - 1);
+          return model_.root_ratio(x) - root_of_joint(piece - 1);
       }
       break;
     case event::leaving_above:
@@ -63,7 +63,7 @@ public:
         if (piece < 0)
           return -model_.root_ratio_rate(x, -piece);
         if (std::size_t(piece) < joint_count)
-          return root_of_joint(piece) - model_.at(x, piece).root_ratio;
+          return root_of_joint(piece) - model_.root_ratio(x);
       }
       break;
     case event::rolling:

@@ -56,25 +56,37 @@ private:
     return {&coefficients_[p], 2 * (x - T(p)) - 1};
   }
 
-  /// Chebyshev interpolation, turned into powers; nodes ascend so that `f` may start from its last result.
+  /// Chebyshev's nodes, ascending, and the powers of t in the polynomial that is one at node i and zero at the others.
+  struct interpolation {
+    static constexpr std::size_t n = degree + 1;
+    std::array<long double, n> nodes{};
+    std::array<std::array<long double, n>, n> powers{};
+
+    interpolation() {
+      std::array<std::array<long double, n>, n> chebyshev{}; // powers of T_j
+      chebyshev[0][0] = chebyshev[1][1] = 1;
+      for (std::size_t j = 2; j < n; ++j)
+        for (std::size_t m = 0; m < n; ++m)
+          chebyshev[j][m] = (m ? 2 * chebyshev[j - 1][m - 1] : 0) - chebyshev[j - 2][m];
+      for (std::size_t i = 0; i < n; ++i) {
+        const long double angle = (static_cast<long double>(n - i) - 0.5L) * pi<long double>() / n;
+        nodes[i] = std::cos(angle);
+        for (std::size_t j = 0; j < n; ++j)
+          for (std::size_t m = 0; m < n; ++m)
+            powers[i][m] += (j ? 2 : 1) * std::cos(static_cast<long double>(j) * angle) / n * chebyshev[j][m];
+      }
+    }
+  };
+
+  /// Interpolation in ascending nodes, so that `f` may start from its last result.
   template <class F>
   static polynomial interpolate(const F& f) {
-    constexpr int n = degree + 1;
-    std::array<long double, n> y, c{};
-    const auto angle = [](int i) { return (n - i - 0.5L) * pi<long double>() / n; };
-    for (int i = 0; i < n; ++i)
-      y[std::size_t(i)] = f(std::cos(angle(i)));
-    std::array<std::array<long double, n>, n> chebyshev{}; // powers of T_j
-    chebyshev[0][0] = chebyshev[1][1] = 1;
-    for (std::size_t j = 2; j < n; ++j)
-      for (std::size_t m = 0; m < n; ++m)
-        chebyshev[j][m] = (m ? 2 * chebyshev[j - 1][m - 1] : 0) - chebyshev[j - 2][m];
-    for (std::size_t j = 0; j < n; ++j) {
-      long double sum = 0;
-      for (int i = 0; i < n; ++i)
-        sum += y[std::size_t(i)] * std::cos(static_cast<long double>(j) * angle(i));
-      for (std::size_t m = 0; m < n; ++m)
-        c[m] += (j ? 2 : 1) * sum / n * chebyshev[j][m];
+    static const interpolation at;
+    std::array<long double, interpolation::n> c{};
+    for (std::size_t i = 0; i < interpolation::n; ++i) {
+      const long double y = f(at.nodes[i]);
+      for (std::size_t m = 0; m < interpolation::n; ++m)
+        c[m] += y * at.powers[i][m];
     }
     polynomial result;
     std::transform(c.begin(), c.end(), result.begin(), [](long double x) { return static_cast<double>(x); });
