@@ -17,8 +17,8 @@ do for [format in 'svg png'] {
   set yrange [-0.2:0.8]
   set key top right
   plot \
-    data using 'angle':'backspin_R_0' with lines lw 2 dt 2 lc rgb red title 'backspin, R = 0 (III)', \
-    data using 'angle':'backspin_R_1' with lines lw 2.5 lc rgb red title 'backspin, R = 1 (IV)', \
+    data using 'angle':'backspin_R_0' with lines lw 2 dt 2 lc rgb red title 'backspin, R = 0', \
+    data using 'angle':'backspin_R_1' with lines lw 2.5 lc rgb red title 'backspin, R = 1', \
     data using 'angle':'no_spin_R_0' with lines lw 2 dt 2 lc rgb blue title 'no spin, R = 0 (I)', \
     data using 'angle':'no_spin_R_1' with lines lw 2.5 lc rgb blue title 'no spin, R = 1 (II)', \
     data using 'angle':'forespin_R_0' with lines lw 2 dt 2 lc rgb green title 'forespin, R = 0', \
@@ -29,16 +29,16 @@ do for [format in 'svg png'] {
   data = csv('brach_dunn_1995_figure_4')
   eval plain
   eval draw('brach_dunn_1995_figure_4', 800, 550)
-  set title 'steel spheres on steel at 2.3 m/s, e = 0.601: bounds by constant spin'
+  set title 'steel spheres on steel at 2.3 m/s, e = 0.601: bounds by constant r{/Symbol w}'
   set xlabel 'angle of incidence {/Symbol a} (degrees; 90: along the normal)'
   set ylabel 'impulse ratio, > 0 where it slows the sphere'
   set xrange [15:92]
   set xtics 15
   set key top right
   plot \
-    data using 'angle':'backspin' with lines lw 2.5 lc rgb red title 'backspin, r{/Symbol w} = -1.55 m/s', \
+    data using 'angle':'backspin' with lines lw 2.5 lc rgb red title 'backspin', \
     data using 'angle':'no_spin' with lines lw 2 dt 2 lc rgb blue title 'no spin', \
-    data using 'angle':'forespin' with lines lw 2.5 lc rgb green title 'forespin, r{/Symbol w} = 1.55 m/s', \
+    data using 'angle':'forespin' with lines lw 2.5 lc rgb green title 'forespin of the same r{/Symbol w}', \
     data using 'angle':'measured_at_normal' with points pt 7 ps 0.8 lc rgb '#000000' title 'measured range at 90 degrees'
 
   # 6: restitution over speed
@@ -57,7 +57,7 @@ do for [format in 'svg png'] {
     data using 'speed':'simulated_5_um' with lines lw 2 dt 2 lc rgb red title 'simulation, 5 {/Symbol m}m', \
     data using 'speed':'rigid_body' with lines lw 2.5 lc rgb blue title 'rigid body, table 1', \
     data using 'speed':'measured_10.12_um' with points pt 7 ps 1 lc rgb '#000000' title 'measured, table 1', \
-    data using 'speed':'measured_8.6_um' with points pt 6 ps 1.2 lw 2 lc rgb '#000000' title 'measured, mean of 8.6 {/Symbol m}m'
+    data using 'speed':'measured_8.6_um' with points pt 6 ps 1.2 lw 2 lc rgb '#000000' title 'measured, 8.6 {/Symbol m}m'
 
   # 7: forces over time
   data = csv('brach_dunn_1995_figure_7')
@@ -120,7 +120,7 @@ do for [format in 'svg png'] {
   set y2label 'rotation (degrees)'
   set ytics nomirror
   set y2tics
-  set key right center
+  set key bottom right
   plot \
     data using (column('time') * 1e8):'surface_speed' with lines lw 2 dt 2 lc rgb blue title 'r{/Symbol w}', \
     data using (column('time') * 1e8):'tangential_velocity' with lines lw 2 lc rgb green title 'v_t', \

@@ -150,7 +150,7 @@ void contact_of(const motion& m, const std::string& directory, const std::string
   };
   for (std::size_t i = 0; i < m.time.size(); ++i)
     out.row(m.approach[i], 1, {m.radius[i], m.elastic_force[i]});
-  const double deepest = *std::max_element(m.approach.begin(), m.approach.end());
+  const double deepest = 1.05 * *std::max_element(m.approach.begin(), m.approach.end());
   for (const double x : even(0, 1, 101))
     out.row(deepest * x * x, 3, fixed(without, deepest * x * x * metres));
   const auto on_curve = [&](length radius) { // (8)

@@ -12,6 +12,7 @@ do for [format in 'svg png'] {
     set multiplot layout 1,2 title 'two water-ice spheres at ' . (number eq '2' ? '8' : '2') . ' m/s, radius 2 {/Symbol m}m, T_{vis} = 10^{-11} s'
     set xlabel 'mutual approach {/Symbol d} (10^{-8} m)'
     set ylabel 'contact radius a (10^{-7} m)'
+    set xrange [(number eq '2' ? -1.5 : -0.75):(number eq '2' ? 4 : 1.75)]
     set key top left
     plot \
       data using (column('mutual_approach') * 1e8):(column('hertz_contact_radius') * 1e7) with lines lw 2 dt 3 lc rgb grey title 'Hertz', \
@@ -50,9 +51,10 @@ do for [format in 'svg png'] {
   # 5: restitution and sticking speed over reduced radius
   eval plain
   eval draw('krijt_2013_figure_5', 1100, 500)
-  set multiplot layout 1,2 title 'water-ice spheres'
+  set multiplot layout 1,2 title 'two equal water-ice spheres; left: T_{vis} = 10^{-11} s'
   set xlabel 'reduced radius R (m)'
   set logscale x
+  set xrange [1e-7:1e-4]
   set format x '10^{%T}'
   set ylabel 'coefficient of restitution e at 8 m/s'
   set yrange [0:1.05]
@@ -62,8 +64,9 @@ do for [format in 'svg png'] {
     data using 'reduced_radius':'jkr' with lines lw 2 dt 2 lc rgb blue title 'JKR (24)', \
     data using 'reduced_radius':'viscous' with lines lw 2 dt 2 lc rgb orange title 'weak damping (26)', \
     data using 'reduced_radius':'independent' with lines lw 2 dt 4 lc rgb green title 'losses added (27)', \
-    data using 'reduced_radius':'viscoelastic_jkr' with lines lw 2.5 lc rgb red title 'viscoelastic JKR, T_{vis} = 10^{-11} s'
+    data using 'reduced_radius':'viscoelastic_jkr' with lines lw 2.5 lc rgb red title 'viscoelastic JKR'
   set ylabel 'sticking speed v_s (m/s)'
+  set xrange [1e-7:1e-5]
   set logscale y
   set format y '10^{%T}'
   set yrange [0.1:200]
@@ -85,7 +88,7 @@ do for [format in 'svg png'] {
     set title 'two water-ice spheres at ' . (number eq 'C1' ? '8' : '2') . ' m/s, radius 2 {/Symbol m}m, T_{vis} = 10^{-11} s'
     set xlabel 'time t (10^{-8} s)'
     set ylabel 'energy over initial kinetic energy'
-    set key outside right top
+    set key below horizontal
     plot \
       data using (column('time') * 1e8):'kinetic_energy' with lines lw 2 lc rgb '#000000' title 'kinetic', \
       data using (column('time') * 1e8):'elastic_energy' with lines lw 2 dt 2 lc rgb blue title 'elastic', \
@@ -103,9 +106,9 @@ do for [format in 'svg png'] {
   set ylabel '{/Symbol b} = G_{eff}/w'
   set logscale xy
   set format x '10^{%T}'
-  set xrange [1e-4:1e3]
+  set xrange [1e-3:1e3]
   set yrange [0.015:70]
-  set key at graph 0.45,0.62
+  set key top left
   plot \
     data using 'opening_speed_exact':'energy_release_ratio' with lines lw 2.5 lc rgb red title 'opening, exact', \
     data using 'opening_speed_fit':'energy_release_ratio' with lines lw 1.5 dt 2 lc rgb '#000000' title 'opening, fits (16), (17)', \
