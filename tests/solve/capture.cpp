@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(a_slow_contact_that_does_not_turn_is_looked_at_after_many_s
   books.impact(1.0);
   capture<std::remove_const_t<decltype(numbers)>> captured(numbers);
   const auto first_look = [&](double rate, bool has_turned) {
-    captured.turned();
+    captured.look(numbers.at(numbers.touch(rate), 0).c, books);
     for (int step = 1; step <= 1000; ++step)
       if (captured.may_creep(rate, has_turned, books))
         return step;

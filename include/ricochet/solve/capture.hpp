@@ -1,6 +1,8 @@
 #pragma once
 #include <ricochet/solve/ledger.hpp>
 
+#include <vector>
+
 namespace ricochet {
 
 /// The certificate of capture. No law gives energy back, so that a contact with less energy than it has where it lets
@@ -16,18 +18,29 @@ public:
 
   bool certain() const { return certain_; }
 
-  /// Looks at the contact: where it turns, where it touches again, and where it creeps.
+  /// Looks at the contact where it turns and where it touches again.
   void look(const part& c, ledger<Reduced>& books) {
-    const T left = model_.kinetic_energy(c.rate) + books.meet(c) - model_.exit_energy();
-    certain_ = Reduced::adhesive || Reduced::attracted ? value_of(left) < real(0) : never_opens();
+    steps_since_look_ = 0;
+    const T left = look_closely(c, books);
+    if (margins_.size() < 64)
+      margins_.push_back(value_of(left));
   }
 
-  void turned() { steps_since_turning_ = 0; }
+  /// Energy beyond that where the contact lets go, at the first looks: two solutions of one collision are to be
+  /// compared look by look, since they may be certain at different ones.
+  const std::vector<real>& margins() const { return margins_; }
+
+  /// Looks at a contact that may creep.
+  T look_closely(const part& c, ledger<Reduced>& books) {
+    const T left = model_.kinetic_energy(c.rate) + books.meet(c) - model_.exit_energy();
+    certain_ = Reduced::adhesive || Reduced::attracted ? value_of(left) < real(0) : never_opens();
+    return left;
+  }
 
   /// To be asked after every step: may this contact be creeping? An overdamped one creeps to its equilibrium without
   /// turning, some even before they have turned once: after many steps, each is to be looked at.
   bool may_creep(const T& rate, bool has_turned, const ledger<Reduced>& books) {
-    if (++steps_since_turning_ <= 400)
+    if (++steps_since_look_ <= 400)
       return false;
     return has_turned || value_of(model_.kinetic_energy(rate)) < real(1e-6f) * books.largest();
   }
@@ -44,7 +57,8 @@ private:
 
   const Reduced& model_;
   bool certain_ = false;
-  long steps_since_turning_ = 0;
+  long steps_since_look_ = 0;
+  std::vector<real> margins_;
 };
 
 } // namespace ricochet

@@ -64,9 +64,12 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     const real excess = abs(value_of(fine.excess_energy())) / kinetic;
     // The errors of both solutions vary in sign and size with the tolerance, and now and then are the same by chance.
     const real by_chance = usual_error * tolerance / (refinement * v);
-    const real energy_error =
-        max<real>({abs(value_of(fine.excess_energy() - coarse.excess_energy())) / kinetic, first_leg, by_chance}) +
-        round_off;
+    real last_difference = abs(value_of(fine.excess_energy() - coarse.excess_energy()));
+    if (!out.restitution && !rough.restitution && !fine.margins().empty() && !coarse.margins().empty()) {
+      const std::size_t both = std::min(fine.margins().size(), coarse.margins().size()) - 1; // captured later or sooner
+      last_difference = abs(fine.margins()[both] - coarse.margins()[both]);
+    }
+    const real energy_error = max<real>({last_difference / kinetic, first_leg, by_chance}) + round_off;
     real error = 0;
     if (out.restitution) {
       if (value_of(*out.restitution) > real(1)) // losses never are negative: what exceeds one is error

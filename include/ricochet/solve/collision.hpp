@@ -74,6 +74,8 @@ public:
   /// Approach rate over the impact's speed where the edge first let go of bodies that were approaching; infinite if
   /// never.
   const real& near_miss() const { return near_miss_; }
+  /// Energies at turning points and later touches, beyond what the contact has where it lets go.
+  const std::vector<real>& margins() const { return capture_.margins(); }
   /// Largest energy met, kinetic or potential.
   const real& largest_energy() const { return ledger_.largest(); }
 
@@ -123,7 +125,7 @@ private:
         method.moved();
         events_.arm(x);
         if (capture_.may_creep(x[approach_rate], has_turned_, ledger_)) {
-          capture_.look(now(x), ledger_);
+          capture_.look_closely(now(x), ledger_);
           observers_.turned(model_, x, flow_.piece);
           if (capture_.certain())
             return false;
@@ -180,7 +182,6 @@ private:
     if (!std::exchange(has_turned_, true))
       energy_at_turning_ = model_.potential(now(x));
     observers_.turned(model_, x, flow_.piece);
-    capture_.turned();
     capture_.look(now(x), ledger_);
   }
 
