@@ -41,3 +41,14 @@ BOOST_AUTO_TEST_CASE(brackets_that_hold_no_threshold_are_refused) {
   BOOST_CHECK_THROW(sticking_speed(model, low, high, 1e-13), bad_input);
   BOOST_CHECK_THROW(sticking_speed(compose(ice.pair, hertz{}), low, high), bad_input); // never sticks
 }
+
+BOOST_AUTO_TEST_CASE(two_solutions_captured_at_different_turning_points_are_both_believed) {
+  // Their energies left differed by what is lost in between, which once passed for an error: the search stopped early.
+  const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.exact(1e-14 * seconds), ice.viscous);
+  const auto out = integrate(model, impact{1.794 * metres_per_second}, {.tolerance = 1e-7});
+  BOOST_TEST(name_of(out.ending) == "captured");
+  BOOST_TEST(out.ending_is_certain);
+  BOOST_TEST(out.evaluations < 200'000);
+  const auto found = sticking_speed(model, 0.1 * metres_per_second, 100.0 * metres_per_second, 1e-6);
+  BOOST_TEST(in_si(found.smallest_separated) / in_si(found.largest_captured) - 1 < 1.1e-6);
+}
