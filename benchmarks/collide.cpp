@@ -49,7 +49,8 @@ int main(int argc, char** argv) {
       .relaxation_time = relaxation_time, .modulus_ratio = 0.02, .interaction_range = 0.3 * nanometres};
 
   time_of("hertz+kuwabara_kono", compose(pair, hertz{}, bulk));
-  time_of("hertz+hunt_crossley", compose(pair, hertz{}, hunt_crossley{.damping_coefficient = 0.05 * seconds_per_metre}));
+  time_of("hertz+hunt_crossley",
+          compose(pair, hertz{}, hunt_crossley{.damping_coefficient = 0.05 * seconds_per_metre}));
   time_of("hertz+jkr", compose(pair, hertz{}, adhesion));
   time_of("hertz+jkr+kuwabara_kono", compose(pair, hertz{}, adhesion, bulk));
   time_of("hertz+jkr+greenwood", compose(pair, hertz{}, adhesion, edge));

@@ -38,8 +38,9 @@ BOOST_AUTO_TEST_CASE(agrees_with_integration) {
     const auto out = integrate(hunt_crossley_hertz(s, contact_duration{}), impact{s.speed}, {.tolerance = 1e-12});
     BOOST_TEST_REQUIRE(out.restitution.has_value());
     worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution(s.hunt_crossley_coefficient, s.speed)));
-    worst_time = std::max(worst_time, deviation(in_si(out.contact_duration),
-                                                in_si(closed::contact_duration(s.pair, s.hunt_crossley_coefficient, s.speed))));
+    worst_time =
+        std::max(worst_time, deviation(in_si(out.contact_duration),
+                                       in_si(closed::contact_duration(s.pair, s.hunt_crossley_coefficient, s.speed))));
   }
   BOOST_TEST_MESSAGE("largest deviations: e " << worst_e << ", duration " << worst_time);
   BOOST_TEST(worst_e < 1e-11);   // ten times the tolerance of the integration
@@ -97,7 +98,8 @@ BOOST_AUTO_TEST_CASE(monotone) {
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_named) {
   const inverse_speed c = 0.1 / one, wrong = -0.25 / one;
-  BOOST_CHECK_EXCEPTION(closed::restitution(wrong, one), bad_input, says("damping_coefficient", "-0.25 s/m", "[0, inf)"));
+  BOOST_CHECK_EXCEPTION(closed::restitution(wrong, one), bad_input,
+                        says("damping_coefficient", "-0.25 s/m", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::restitution(c, -one), bad_input, says("speed", "-1 m/s", "(0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::contact_duration(pair, wrong, one), bad_input,
                         says("damping_coefficient", "-0.25 s/m", "[0, inf)"));

@@ -33,9 +33,9 @@ BOOST_AUTO_TEST_CASE(zero_force_agrees_with_integration) {
     const auto out = integrate(tsuji_hertz(s, contact_duration{}), impact{s.speed}, {.tolerance = 1e-12});
     BOOST_TEST_REQUIRE(out.restitution.has_value());
     worst_e = std::max(worst_e, std::abs(*out.restitution - closed::restitution_to_zero_force(s.tsuji_coefficient)));
-    worst_time = std::max(worst_time,
-                          deviation(in_si(out.contact_duration),
-                                    in_si(closed::contact_duration_to_zero_force(s.pair, s.tsuji_coefficient, s.speed))));
+    worst_time = std::max(
+        worst_time, deviation(in_si(out.contact_duration),
+                              in_si(closed::contact_duration_to_zero_force(s.pair, s.tsuji_coefficient, s.speed))));
   }
   BOOST_TEST_MESSAGE("largest deviations: e " << worst_e << ", duration " << worst_time);
   BOOST_TEST(worst_e < 1e-11);   // ten times the tolerance of the integration
@@ -128,7 +128,8 @@ BOOST_AUTO_TEST_CASE(damping_coefficient_inverts_zero_overlap) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_named) {
-  BOOST_CHECK_EXCEPTION(closed::restitution_to_zero_force(-0.5), bad_input, says("damping_coefficient", "-0.5", "[0, inf)"));
+  BOOST_CHECK_EXCEPTION(closed::restitution_to_zero_force(-0.5), bad_input,
+                        says("damping_coefficient", "-0.5", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::restitution_to_zero_overlap(-0.5), bad_input,
                         says("damping_coefficient", "-0.5", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::contact_duration_to_zero_force(pair, -0.5, one), bad_input,

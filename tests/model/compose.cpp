@@ -69,7 +69,8 @@ BOOST_AUTO_TEST_CASE(parameters_are_validated) {
                         says("bulk_time", "inf s", "[0, inf) s"));
   BOOST_CHECK_EXCEPTION(compose(pair, hertz{}, hunt_crossley{-2.0 * seconds_per_metre}), bad_input,
                         says("damping_coefficient", "-2 s/m", "[0, inf) s/m"));
-  BOOST_CHECK_EXCEPTION(compose(pair, hertz{}, tsuji{-0.5}), bad_input, says("damping_coefficient", "-0.5", "[0, inf)"));
+  BOOST_CHECK_EXCEPTION(compose(pair, hertz{}, tsuji{-0.5}), bad_input,
+                        says("damping_coefficient", "-0.5", "[0, inf)"));
   auto wrong = crack;
   wrong.relaxation_time = -1.0 * seconds;
   BOOST_CHECK_EXCEPTION(edge(wrong), bad_input, says("relaxation_time", "-1 s", "[0, inf) s"));
