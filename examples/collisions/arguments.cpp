@@ -1,4 +1,5 @@
 #include "arguments.hpp"
+#include "input_columns.hpp"
 #include "output_table.hpp"
 #include "scene_reader.hpp"
 
@@ -13,7 +14,7 @@ namespace collisions {
 namespace {
 
 constexpr const char* description =
-    "Reads a table of head-on collisions of small spheres (CSV) and writes the same table with their outcomes.";
+    "Reads a table of collisions of small spheres (CSV) and writes the same table with their outcomes.";
 
 std::string help_on_columns() {
   std::string text = R"(
@@ -22,34 +23,21 @@ INPUT
   decimal point. Cells are separated by commas. Lines before the header that begin with # are comments.
 
   column                     unit    needed by
-  model                              every collision: law names joined by +, in any order
-  radius_1                   m       every collision
-  radius_2                   m       every collision; inf is a flat wall
-  density_1                  kg/m^3  every collision
-  density_2                  kg/m^3  every collision, but not of a wall
-  youngs_modulus_1           Pa      every collision
-  youngs_modulus_2           Pa      every collision
-  poissons_ratio_1           1       every collision, from 0 to less than 0.5
-  poissons_ratio_2           1       every collision, from 0 to less than 0.5
-  speed                      m/s     every collision: of approach, at first touch
-  work_of_adhesion           J/m^2   jkr: of the pair, twice the surface free energy for like bodies
-  relaxation_time            s       greenwood, greenwood_fit
-  modulus_ratio              1       greenwood: relaxed over instantaneous, 0.0001 to 0.98 (greenwood_fit: 0.02 or blank)
-  interaction_range          m       greenwood, greenwood_fit
-  bulk_time                  s       kuwabara_kono
-  hunt_crossley_coefficient  s/m     hunt_crossley
-  tsuji_coefficient          1       tsuji
-
-  What a row's model does not need may be blank, or its column missing. Other columns are copied.
+)";
+  text += input_help();
+  text += R"(
+  What a row's model does not need may be blank, or its column missing; angle and spins are then 0. Other columns are
+  copied, with a note on standard error where one nearly has a name from above.
 
 LAWS for the column model
   hertz                      elastic spheres; always needed
-  jkr                        adhesion
+  jkr, line_force, dmt       adhesion; one of them
   greenwood, greenwood_fit   finite speed of the adhesive edge, with jkr: exact, or as published; one of them
   kuwabara_kono, hunt_crossley, tsuji
                              damping in the bulk; one of them
+  coulomb                    friction of oblique impacts and spinning bodies
   end_at_zero_force, end_at_zero_overlap
-                             where a contact without jkr ends; at zero force if none is named
+                             where a contact without adhesion ends; at zero force if none is named
 
 OUTPUT
   All columns of the input, then these. A column of the input that has one of these names is called input_... there.

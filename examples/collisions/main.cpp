@@ -1,6 +1,7 @@
 // collisions: a CSV table of collisions in, the same with their outcomes out. See --help.
 #include "arguments.hpp"
 #include "csv_reader.hpp"
+#include "input_columns.hpp"
 #include "messages.hpp"
 #include "output_file.hpp"
 #include "output_table.hpp"
@@ -86,6 +87,9 @@ bool run(const arguments& given) {
   for (const std::string& comment : comments)
     output.write(comment + '\n');
   output.write(header_line(columns));
+
+  for (const std::string& note : notes_on_misspelt(columns))
+    messages.say(note);
 
   scene_reader scenes;
   bool all_went_well = true;

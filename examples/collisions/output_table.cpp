@@ -14,11 +14,28 @@ using ricochet::ending;
 
 std::string text(double x) { return fmt::format("{:.17g}", x); }
 std::string text(long x) { return fmt::format("{}", x); }
+std::string text(bool x) { return x ? "1" : "0"; }
+std::string text(const std::optional<double>& x) { return x ? text(*x) : ""; }
+template <class Unit>
+std::string text(const boost::units::quantity<Unit>& x) {
+  return text(ricochet::in_si(x));
+}
 
 std::string restitution(const outcome& out) {
   if (out.ending == ending::captured)
     return "0";
   return out.ending == ending::separated && out.restitution ? text(*out.restitution) : "";
+}
+
+/// What friction did, blank without it.
+template <auto Member>
+std::string friction(const outcome& out) {
+  return out.friction ? text((*out.friction).*Member) : "";
+}
+
+std::string rebound_angle(const outcome& out) {
+  return out.friction && out.friction->rebound_angle ? text(*out.friction->rebound_angle / ricochet::units::degrees)
+                                                     : "";
 }
 
 struct output_column {
@@ -28,19 +45,18 @@ struct output_column {
   std::string (*text)(const outcome&);
 };
 
-constexpr std::array<output_column, 12> columns{{
+constexpr std::array<output_column, 25> columns{{
     {"ending", "text", "separated | captured | unresolved | failed",
      [](const outcome& out) -> std::string { return ricochet::name_of(out.ending); }},
-    {"restitution", "1", "speed of separation over speed of impact; 0 when captured", restitution},
+    {"restitution", "1", "speed of separation over that of approach, along the normal; 0 when captured", restitution},
     {"contacts", "1", "how often the bodies touched", [](const outcome& out) { return text(long(out.contacts)); }},
     {"contact_duration", "s", "first touch to final loss of contact (so far, when captured)",
-     [](const outcome& out) { return text(ricochet::in_si(out.contact_duration)); }},
-    {"max_approach", "m", "largest mutual approach",
-     [](const outcome& out) { return text(ricochet::in_si(out.max_approach)); }},
+     [](const outcome& out) { return text(out.contact_duration); }},
+    {"max_approach", "m", "largest mutual approach", [](const outcome& out) { return text(out.max_approach); }},
     {"max_contact_radius", "m", "largest contact radius",
-     [](const outcome& out) { return text(ricochet::in_si(out.max_contact_radius)); }},
-    {"max_tension", "N", "largest total tension",
-     [](const outcome& out) { return text(ricochet::in_si(out.max_tension)); }},
+     [](const outcome& out) { return text(out.max_contact_radius); }},
+    {"max_tension", "N", "largest total tension", [](const outcome& out) { return text(out.max_tension); }},
+    {"max_compression", "N", "largest total compression", [](const outcome& out) { return text(out.max_compression); }},
     {"crack_loss", "1", "lost at the contact's edge, fraction of the initial kinetic energy, jumps included",
      [](const outcome& out) { return text(out.crack_loss); }},
     {"bulk_loss", "1", "lost in the bulk, likewise", [](const outcome& out) { return text(out.bulk_loss); }},
@@ -48,8 +64,28 @@ constexpr std::array<output_column, 12> columns{{
      [](const outcome& out) { return text(out.ledger_residual); }},
     {"error_estimate", "1", "bound of the error of the restitution",
      [](const outcome& out) { return text(out.error_estimate); }},
+    {"ending_is_certain", "1 or 0", "0 so near the threshold of sticking that the error does not decide",
+     [](const outcome& out) { return text(out.ending_is_certain); }},
     {"evaluations", "1", "evaluations of the equations of motion",
      [](const outcome& out) { return text(out.evaluations); }},
+    {"tangential_speed", "m/s",
+     "at the ending, along its first direction; this and what follows: with coulomb, else blank",
+     friction<&friction_outcome::tangential_speed>},
+    {"spin_1_after", "rad/s", "spin of the first body", friction<&friction_outcome::spin_1>},
+    {"spin_2_after", "rad/s", "spin of the second body", friction<&friction_outcome::spin_2>},
+    {"tangential_restitution", "1", "tangential speed over the first; blank if that was 0",
+     friction<&friction_outcome::tangential_restitution>},
+    {"rebound_angle", "degrees", "between normal and relative velocity, > 0 forward; blank when captured",
+     rebound_angle},
+    {"impulse_ratio", "1", "tangential over normal impulse, > 0 where it slows the motion",
+     friction<&friction_outcome::impulse_ratio>},
+    {"friction_loss", "1", "taken by friction, fraction of the initial kinetic energy along the normal",
+     friction<&friction_outcome::friction_loss>},
+    {"rolls", "1 or 0", "1 if the contact point slides no longer", friction<&friction_outcome::rolls>},
+    {"rotation_1", "rad", "angle that the first body turned during contact", friction<&friction_outcome::rotation_1>},
+    {"rotation_2", "rad", "angle that the second body turned", friction<&friction_outcome::rotation_2>},
+    {"normal_turn", "rad", "angle that the normal would have turned, neglected",
+     friction<&friction_outcome::normal_turn>},
 }};
 
 /// The cell as CSV: in quotes where it must be.

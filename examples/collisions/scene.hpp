@@ -1,7 +1,9 @@
 // One row's collision, ready to be solved.
 #pragma once
 #include <ricochet/body/pair.hpp>
+#include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
+#include <ricochet/law/adhesion/line_force.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
 #include <ricochet/law/damping/hunt_crossley.hpp>
@@ -9,7 +11,9 @@
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/law/end.hpp>
+#include <ricochet/law/tangential/coulomb.hpp>
 
+#include <cmath>
 #include <variant>
 
 namespace collisions {
@@ -19,12 +23,17 @@ using no_law = std::monostate;
 /// A law for each role, or none; that they go together has been checked.
 struct scene {
   ricochet::contact_pair pair{};
-  ricochet::speed speed{};
+  ricochet::speed speed{}; ///< of the whole relative motion
+  double angle = 0;        ///< between it and the normal, rad
+  ricochet::angular_speed spin_1{}, spin_2{};
   std::variant<ricochet::hertz> elastic;
-  std::variant<no_law, ricochet::jkr> adhesion;
+  std::variant<no_law, ricochet::jkr, ricochet::line_force, ricochet::dmt> adhesion;
   std::variant<no_law, ricochet::greenwood, ricochet::greenwood_fit> crack;
   std::variant<no_law, ricochet::kuwabara_kono, ricochet::hunt_crossley, ricochet::tsuji> damping;
+  std::variant<no_law, ricochet::coulomb> tangential;
   std::variant<no_law, ricochet::end_at_zero_overlap> end; ///< none: at zero force, the library's default
+
+  ricochet::speed normal_speed() const { return std::cos(angle) * speed; }
 };
 
 } // namespace collisions

@@ -1,11 +1,14 @@
 #include "scene_reader.hpp"
 
+#include <ricochet/closed_form/brach_dunn.hpp>
 #include <ricochet/model/composable.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace collisions {
 
@@ -17,25 +20,54 @@ constexpr const char* everyone = "every collision"; ///< who needs a column that
 std::string column_of(std::string_view law, std::string_view parameter) {
   if (parameter == "damping_coefficient")
     return std::string(law) + "_coefficient";
+  if (parameter == "force_per_length")
+    return "line_force";
+  if (parameter == "friction_coefficient")
+    return "friction";
   if (parameter == "first_ratio_over_k")
     return "";
   return std::string(parameter);
 }
 
-template <class Law>
-bool may_be_blank(const std::string& column) {
-  return column.empty() || (std::is_same_v<Law, ricochet::greenwood_fit> && column == "modulus_ratio");
+/// Column of the damping ratio that may stand in this column's stead; empty where there is none.
+std::string ratio_column_of(const std::string& column) {
+  return column == "hunt_crossley_coefficient" ? "zeta_h" : column == "rebound_coefficient" ? "zeta_a" : "";
 }
 
-/// The law with its parameters from the row, each within the range that the law states.
 template <class Law>
-Law read_law(const row& row, std::string_view name) {
+bool may_be_blank(const std::string& column) {
+  return column.empty() || column == "rebound_coefficient" ||
+         (std::is_same_v<Law, ricochet::greenwood_fit> && column == "modulus_ratio");
+}
+
+/// The coefficient that the row's damping ratio stands for at its speed along the normal.
+ricochet::inverse_speed read_ratio(const row& row, const std::string& column, const std::string& ratio_column,
+                                   const scene& scene, std::string_view name) {
+  if (!row.is_blank(column))
+    throw row_error(row.place(ratio_column),
+                    fmt::format("{} is given too, and says the same: keep one of the two", column));
+  const auto ratio = row.quantity<double>(ratio_column, ricochet::non_negative, name);
+  return ricochet::closed_form::damping_coefficient_of_brach_dunn(ratio, scene.pair, scene.normal_speed());
+}
+
+/// The law with its parameters from the row, each within the range that the law states. Bodies and motion of the scene
+/// have been read.
+template <class Law>
+Law read_law(const row& row, const scene& scene, std::string_view name) {
   Law law{};
   const auto read = [&](const auto& parameter) {
-    const std::string column = column_of(name, parameter.name);
+    const std::string column = column_of(name, parameter.name), ratio = ratio_column_of(column);
     auto& value = law.*(parameter.member);
+    using quantity = std::remove_reference_t<decltype(value)>;
+    if constexpr (std::is_same_v<quantity, ricochet::inverse_speed>) {
+      if (!ratio.empty() && !row.is_blank(ratio)) {
+        value = read_ratio(row, column, ratio, scene, name);
+        return;
+      }
+    }
     if (!may_be_blank<Law>(column) || !row.is_blank(column))
-      value = row.quantity<std::remove_reference_t<decltype(value)>>(column, parameter.allowed, name);
+      value = row.quantity<quantity>(column, parameter.allowed,
+                                     ratio.empty() ? name : fmt::format("{}, unless there is {}", name, ratio));
   };
   if constexpr (requires { Law::parameters(); })
     std::apply([&](const auto&... parameters) { (read(parameters), ...); }, Law::parameters());
@@ -53,17 +85,20 @@ struct known_law {
 template <class Law, auto Role>
 constexpr known_law law_in(std::string_view name) {
   return {name, ricochet::count_roles<Law>(),
-          [](scene& scene, const row& row, std::string_view self) { scene.*Role = read_law<Law>(row, self); }};
+          [](scene& scene, const row& row, std::string_view self) { scene.*Role = read_law<Law>(row, scene, self); }};
 }
 
-constexpr std::array<known_law, 9> laws{{
+constexpr std::array<known_law, 12> laws{{
     law_in<ricochet::hertz, &scene::elastic>("hertz"),
     law_in<ricochet::jkr, &scene::adhesion>("jkr"),
+    law_in<ricochet::line_force, &scene::adhesion>("line_force"),
+    law_in<ricochet::dmt, &scene::adhesion>("dmt"),
     law_in<ricochet::greenwood, &scene::crack>("greenwood"),
     law_in<ricochet::greenwood_fit, &scene::crack>("greenwood_fit"),
     law_in<ricochet::kuwabara_kono, &scene::damping>("kuwabara_kono"),
     law_in<ricochet::hunt_crossley, &scene::damping>("hunt_crossley"),
     law_in<ricochet::tsuji, &scene::damping>("tsuji"),
+    law_in<ricochet::coulomb, &scene::tangential>("coulomb"),
     {"end_at_zero_force", ricochet::count_roles<ricochet::end_at_zero_force>(),
      [](scene&, const row&, std::string_view) {}}, // is the default
     law_in<ricochet::end_at_zero_overlap, &scene::end>("end_at_zero_overlap"),
@@ -94,6 +129,8 @@ void add(ricochet::role_count& sum, const ricochet::role_count& n) {
   sum.crack += n.crack;
   sum.damping += n.damping;
   sum.end += n.end;
+  sum.attraction += n.attraction;
+  sum.tangential += n.tangential;
 }
 
 /// The laws named, which go together.
@@ -129,6 +166,28 @@ ricochet::contact_pair read_pair(const row& row) {
               : ricochet::between(body, ricochet::sphere{other, other_radius});
 }
 
+/// \throws row_error where the bodies meet at an angle or spin, and the model has no friction to act on it.
+void read_motion(const row& row, bool with_friction, scene& scene) {
+  constexpr ricochet::range quarter_turn{.high = 90};
+  constexpr ricochet::range any{.low = -std::numeric_limits<double>::max()};
+  constexpr const char* add_friction = "needs friction: add coulomb to the model";
+  const bool wall = std::isinf(ricochet::in_si(scene.pair.bodies.radius_2));
+  // Zero if blank; anything else is refused where there is a reason.
+  const auto read = [&](const std::string& column, const ricochet::range& allowed, const std::string& refusal) {
+    const double x = row.is_blank(column) ? 0 : row.quantity<double>(column, allowed, everyone);
+    if (x != 0 && !refusal.empty())
+      throw row_error(row.place(column), refusal);
+    return x;
+  };
+  const std::string no_angle = with_friction ? "" : fmt::format("an oblique impact {}", add_friction);
+  const std::string no_spin = with_friction ? "" : fmt::format("a spin {}", add_friction);
+  scene.speed = row.quantity<ricochet::speed>("speed", ricochet::positive, everyone);
+  scene.angle = read("angle", quarter_turn, no_angle) * ricochet::units::degrees;
+  scene.spin_1 = read("spin_1", any, no_spin) * ricochet::units::radians_per_second;
+  scene.spin_2 = read("spin_2", any, wall ? "a flat wall does not spin: leave it blank or 0" : no_spin) *
+                 ricochet::units::radians_per_second;
+}
+
 } // namespace
 
 std::string known_laws() {
@@ -142,9 +201,11 @@ scene scene_reader::read(const row& row) {
   const std::vector<known_law> model = read_model(row);
   scene scene{};
   scene.pair = read_pair(row);
+  const bool with_friction =
+      std::any_of(model.begin(), model.end(), [](const known_law& law) { return law.roles.tangential != 0; });
+  read_motion(row, with_friction, scene);
   for (const known_law& law : model)
     law.put(scene, row, law.name);
-  scene.speed = row.quantity<ricochet::speed>("speed", ricochet::positive, everyone);
   if (auto* exact = std::get_if<ricochet::greenwood>(&scene.crack))
     exact->table = table_for(exact->modulus_ratio);
   return scene;

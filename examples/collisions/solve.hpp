@@ -6,12 +6,28 @@
 #include <ricochet/units.hpp>
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace collisions {
 
-using outcome = ricochet::basic_outcome<double, ricochet::length, ricochet::duration, ricochet::force, ricochet::speed,
-                                        ricochet::requests{.ledger = true, .duration = true, .extremes = true}>;
+using normal_outcome =
+    ricochet::basic_outcome<double, ricochet::length, ricochet::duration, ricochet::force, ricochet::speed,
+                            ricochet::requests{.ledger = true, .duration = true, .extremes = true}, true>;
+
+/// What friction did to the bodies: the members of ricochet::oblique_outcome, of any model.
+struct friction_outcome {
+  ricochet::speed tangential_speed;
+  ricochet::angular_speed spin_1, spin_2;
+  std::optional<double> tangential_restitution, rebound_angle; ///< rad
+  bool rolls;
+  double impulse_ratio, friction_loss, rotation_1, rotation_2, normal_turn;
+};
+
+/// Of the motion along the normal, and of friction where the scene has a tangential law.
+struct outcome : normal_outcome {
+  std::optional<friction_outcome> friction;
+};
 
 // One for each stepper, each compiled in a file of its own: stepper_*.cpp.
 // \throws ricochet::bad_input where the library refuses the scene.

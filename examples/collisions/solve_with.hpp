@@ -1,9 +1,10 @@
-// The composition of a scene's laws: walks the roles once and composes what is there.
+// The composition of a scene's laws: walks the roles once and composes what is there. Friction is in every model, with
+// a coefficient of zero where the scene has none: it then changes nothing, and only half the models are to be compiled.
 #pragma once
 #include "solve.hpp"
 
 #include <ricochet/model/compose.hpp>
-#include <ricochet/solve/collide.hpp>
+#include <ricochet/solve/oblique.hpp>
 
 #include <stdexcept>
 #include <tuple>
@@ -28,9 +29,21 @@ template <class Stepper, class... Damping>
 outcome solve_with(const scene& scene, double tolerance, damped_by<Damping...>) {
   const auto solve_composed = [&]<class... Laws>(const Laws&... laws) -> outcome {
     if constexpr (ricochet::composable<Laws...>) {
-      const auto model = ricochet::compose(scene.pair, laws..., ricochet::energy_ledger{}, ricochet::contact_duration{},
-                                           ricochet::extremes{});
-      return ricochet::integrate(model, {.speed = scene.speed}, {.tolerance = tolerance}, Stepper{});
+      const auto* friction = std::get_if<ricochet::coulomb>(&scene.tangential);
+      const auto model =
+          ricochet::compose(scene.pair, laws..., friction ? *friction : ricochet::coulomb{}, ricochet::energy_ledger{},
+                            ricochet::contact_duration{}, ricochet::extremes{});
+      const auto out = ricochet::collide(
+          model,
+          ricochet::oblique_impact{
+              .speed = scene.speed, .angle = scene.angle, .spin_1 = scene.spin_1, .spin_2 = scene.spin_2},
+          {.tolerance = tolerance}, Stepper{});
+      outcome all{out.normal, std::nullopt};
+      if (friction)
+        all.friction = {out.tangential_speed, out.spin_1,     out.spin_2,        out.tangential_restitution,
+                        out.rebound_angle,    out.rolls,      out.impulse_ratio, out.friction_loss,
+                        out.rotation_1,       out.rotation_2, out.normal_turn};
+      return all;
     } else {
       throw std::logic_error("laws that do not go together");
     }

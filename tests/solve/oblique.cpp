@@ -7,6 +7,7 @@
 #include <ricochet/law/tangential/coulomb.hpp>
 #include <ricochet/model/physical_system.hpp>
 #include <ricochet/solve/oblique.hpp>
+#include <ricochet/solve/steppers.hpp>
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_dopri5.hpp>
@@ -128,6 +129,16 @@ BOOST_AUTO_TEST_CASE(brach_dunn_with_friction_against_an_integration_in_time) {
       BOOST_TEST(std::abs(in_si(out.normal.slip) - std::max(last[2], 0.)) < 1e-8);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(another_stepper_comes_to_the_same) {
+  const speed v = 2.8 * metres_per_second;
+  const auto model = simulation(glass_on_steel(10.12), 250, 10.54, 6.25, 0.01, v);
+  const oblique_impact impact{.speed = v, .angle = 30 * degrees, .spin_1 = 1e4 * radians_per_second};
+  const auto usual = collide(model, impact), other = collide(model, impact, {}, stepper::dopri5{});
+  BOOST_TEST(other.normal.evaluations != usual.normal.evaluations);
+  BOOST_TEST(std::abs(*other.normal.restitution - *usual.normal.restitution) < 2e-8);
+  BOOST_TEST(std::abs(in_si(other.tangential_speed - usual.tangential_speed)) < 1e-7);
 }
 
 BOOST_AUTO_TEST_CASE(bodies_keep_momentum_and_never_gain_energy) {

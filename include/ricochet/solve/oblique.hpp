@@ -54,13 +54,14 @@ inline void require_finite(const char* name, const Eigen::Vector3d& vector) {
 }
 } // namespace detail
 
+/// With the given stepper, stepper::automatic unless another is wanted.
 /// \throws bad_input for a vector that is not finite, a normal of no length, bodies that do not approach, and as
 /// collide().
 /// Friction is tangential, so that the contact point slides along one direction until it rolls; homogeneous spheres:
 /// d(slip) = -(7/2) impulse/m*. The normal is held fixed during contact. Source: Brach & Dunn 1995, appendix B, in
 /// space.
-template <class Model>
-auto collide(const Model& model, const spatial_impact& impact, const collide_options& options = {}) {
+template <class Stepper = stepper::automatic, class Model>
+auto collide(const Model& model, const spatial_impact& impact, const collide_options& options = {}, Stepper = {}) {
   static_assert(Model::slides, "an oblique impact needs a tangential law: add coulomb");
   detail::require_finite("normal", impact.normal);
   detail::require_finite("velocity", impact.velocity);
@@ -83,8 +84,9 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
   const Eigen::Vector3d direction = sliding > 0 ? Eigen::Vector3d(slip / sliding) : Eigen::Vector3d::Zero();
 
   spatial_outcome<Model> out;
-  out.normal = integrate(
-      model, {.speed = closing * units::metres_per_second, .slip = sliding * units::metres_per_second}, options);
+  out.normal =
+      integrate(model, {.speed = closing * units::metres_per_second, .slip = sliding * units::metres_per_second},
+                options, Stepper{});
   const double still_sliding = std::min(in_si(out.normal.slip), sliding), time = in_si(out.normal.elapsed_time),
                rate = out.normal.restitution ? -*out.normal.restitution * closing : in_si(out.normal.approach_rate);
   const double impulse = 2. / 7 * m * (sliding - still_sliding); // on the first body, against the direction
@@ -107,8 +109,8 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
 }
 
 /// \throws bad_input as collide() of a spatial_impact, and for an angle outside [0, pi/2).
-template <class Model>
-auto collide(const Model& model, const oblique_impact& impact, const collide_options& options = {}) {
+template <class Stepper = stepper::automatic, class Model>
+auto collide(const Model& model, const oblique_impact& impact, const collide_options& options = {}, Stepper = {}) {
   require("speed", impact.speed, positive);
   require("angle", impact.angle, range{.high = pi<double>() / 2, .high_included = false});
   require("spin_1", impact.spin_1, range{.low = -std::numeric_limits<double>::max(), .low_included = true});
@@ -121,7 +123,7 @@ auto collide(const Model& model, const oblique_impact& impact, const collide_opt
                                              .velocity = {v * std::cos(impact.angle), v * std::sin(impact.angle), 0},
                                              .spin_1 = in_si(impact.spin_1) * axis,
                                              .spin_2 = in_si(impact.spin_2) * axis},
-                              options);
+                              options, Stepper{});
   oblique_outcome<Model> out;
   out.normal = solved.normal;
   const double before = v * std::sin(impact.angle), after = solved.velocity.y();

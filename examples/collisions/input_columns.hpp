@@ -1,0 +1,16 @@
+// The columns of the input that mean something.
+#pragma once
+#include "row.hpp"
+
+#include <string>
+#include <vector>
+
+namespace collisions {
+
+/// Input columns with units and who needs them, one a line, for the help.
+std::string input_help();
+
+/// A sentence for each column of the header that is no input column but nearly has the name of one.
+std::vector<std::string> notes_on_misspelt(const header& header);
+
+} // namespace collisions
