@@ -1,11 +1,11 @@
 #pragma once
 #include <ricochet/law/crack/crack_velocity_law.hpp>
-#include <ricochet/model/contact_model.hpp>
+#include <ricochet/model/reduced_laws.hpp>
 #include <ricochet/model/state.hpp>
 
 namespace ricochet {
 
-/// A contact model on plain numbers T in the scales of a collision, and its equations of motion in the coordinate and
+/// The equations of motion of a contact model, on plain numbers T in the scales of a collision, in the coordinate and
 /// the slowed time in which they are smooth.
 ///
 /// Edge slaved to the approach: the coordinate is y = a, or sqrt(a) where a law needs that, and dt = (d delta/dy) d
@@ -13,23 +13,20 @@ namespace ricochet {
 /// unknowns are delta, rate and y = sqrt(a), with sqrt(beta) = (y^4/R - delta)/(c y), and dt = d sigma/sqrt(1 +
 /// (dy/dt)^2/ref^2), finite where the edge's speed is not.
 template <class T, class Model>
-class reduced_model {
-  template <class Law>
-  using in_numbers = typename Law::template in<reduced<T>>;
-  using elastic_type = in_numbers<decltype(Model::elastic)>;
-  using adhesion_type = in_numbers<decltype(Model::adhesion)>;
-  using crack_type = in_numbers<decltype(Model::crack)>;
-  using damping_type = in_numbers<decltype(Model::damping)>;
-  using tangential_type = in_numbers<decltype(Model::tangential)>;
+class reduced_model : public reduced_laws<T, Model> {
+  using laws = reduced_laws<T, Model>;
 
 public:
-  using number = T;
-  using model_type = Model;
-  static constexpr bool adhesive = Model::adhesive;
-  static constexpr bool attracted = Model::attracted;
-  static constexpr bool damped = Model::damped;
-  static constexpr bool free_edge = Model::has_crack_law;
-  static constexpr bool slides = Model::slides;
+  using laws::adhesion;
+  using laws::adhesive;
+  using laws::attracted;
+  using laws::crack;
+  using laws::damped;
+  using laws::elastic;
+  using laws::free_edge;
+  using laws::pair;
+  using laws::slides;
+  using laws::tangential;
   static constexpr bool root_coordinate =
       adhesive || needs_root_radius<decltype(Model::elastic)> || needs_root_radius<decltype(Model::damping)>;
   static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || slides;
@@ -42,20 +39,17 @@ public:
   using state_type = state<T, unknowns>;
   static constexpr coordinate_t coordinate{};
 
-  basic_pair<reduced<T>> pair;
-  [[no_unique_address]] elastic_type elastic;
-  [[no_unique_address]] adhesion_type adhesion;
-  [[no_unique_address]] crack_type crack;
-  [[no_unique_address]] damping_type damping;
-  [[no_unique_address]] tangential_type tangential;
-
   reduced_model(const Model& model, const scales& unit)
-      : reduced_model(model, [&unit](const auto& quantity) { return reduce<T>(quantity, unit); }) {}
+      : laws(model, [&unit](const auto& quantity) { return reduce<T>(quantity, unit); }) {
+    prepare();
+  }
 
   /// The same numbers in another scalar type.
   template <class Other>
   explicit reduced_model(const reduced_model<Other, Model>& numbers)
-      : reduced_model(numbers, [](const Other& x) { return T(x); }) {}
+      : laws(numbers, [](const Other& x) { return T(x); }) {
+    prepare();
+  }
 
   /// Recomputes what is constant during a collision; to be called after a law's parameter was changed.
   void prepare() {
@@ -137,58 +131,15 @@ public:
     return (root_ratio_gradient(now) * now.coordinate_rate - now.c.rate * now.clock) / (flattening_ * x[coordinate]);
   }
 
-  /// Force of the bulk damping law.
-  T damping_force(const configuration<reduced<T>>& c) const {
-    if constexpr (damped)
-      return damping.coefficient(pair, c) * c.rate;
-    else
-      return T(0);
-  }
-
-  /// Force by which an attraction opposes the rebound.
-  T rebound_force(const configuration<reduced<T>>& c) const {
-    if constexpr (attracted)
-      return adhesion.rebound_damping(pair, c) * c.rate;
-    else
-      return T(0);
-  }
-
-  /// Force that derives from potential(), > 0 repulsive.
-  T static_force(const configuration<reduced<T>>& c) const {
-    if constexpr (attracted)
-      return elastic.force(pair, c) - adhesion.attraction(pair, c);
-    else
-      return elastic.force(pair, c);
-  }
-
-  /// Force between the bodies, > 0 repulsive.
-  T total_force(const configuration<reduced<T>>& c) const {
-    return static_force(c) + damping_force(c) + rebound_force(c);
-  }
-
-  T kinetic_energy(const T& rate) const { return pair.reduced_mass * rate * rate / T(2); }
-
-  T surface_energy(const configuration<reduced<T>>& c) const {
-    if constexpr (adhesive)
-      return adhesion.surface_energy(c.radius);
-    else if constexpr (attracted)
-      return adhesion.potential_energy(pair, c);
-    else
-      return T(0);
-  }
-
-  /// U_E + U_S.
-  T potential(const configuration<reduced<T>>& c) const { return elastic.stored_energy(pair, c) + surface_energy(c); }
-
   /// dx/d(sigma); false outside the domain. `sliding`: the contact point slides, else it rolls.
   bool derivative(const state_type& x, state_type& dx, int piece, bool sliding = false) const {
     const instant now = at(x, piece);
     if (!now.inside)
       return false;
-    const T damping_now = damping_force(now.c);
+    const T damping_now = this->damping_force(now.c);
     dx[coordinate] = now.coordinate_rate;
-    const T rebound_now = rebound_force(now.c);
-    dx[approach_rate] = -(static_force(now.c) + damping_now + rebound_now) * now.clock / pair.reduced_mass;
+    const T rebound_now = this->rebound_force(now.c);
+    dx[approach_rate] = -(this->static_force(now.c) + damping_now + rebound_now) * now.clock / pair.reduced_mass;
     if constexpr (free_edge)
       dx[mutual_approach] = now.c.rate * now.clock;
     if constexpr (keeps_time)
@@ -246,17 +197,6 @@ public:
   real_of<T> typical_time() const { return free_edge ? real_of<T>(1) : real_of<T>(value_of(typical()[coordinate])); }
 
 private:
-  template <class Source, class Convert>
-  reduced_model(const Source& source, const Convert& convert)
-      : pair{convert(source.pair.reduced_modulus), convert(source.pair.reduced_radius),
-             convert(source.pair.reduced_mass)},
-        elastic(rebind_law<reduced<T>>(source.elastic, convert)),
-        adhesion(rebind_law<reduced<T>>(source.adhesion, convert)),
-        crack(rebind_law<reduced<T>>(source.crack, convert)), damping(rebind_law<reduced<T>>(source.damping, convert)),
-        tangential(rebind_law<reduced<T>>(source.tangential, convert)) {
-    prepare();
-  }
-
   /// d(delta)/dy at constant beta.
   T root_ratio_gradient(const instant& now) const {
     return elastic.load_free_slope(pair, now.c.radius) * T(2) * now.c.root_radius - flattening_ * now.root_ratio;

@@ -1,0 +1,87 @@
+#pragma once
+#include <ricochet/model/contact_model.hpp>
+
+namespace ricochet {
+
+/// The laws of a contact model on plain numbers T in the scales of a collision: forces and energies of a configuration.
+template <class T, class Model>
+class reduced_laws {
+  template <class Law>
+  using in_numbers = typename Law::template in<reduced<T>>;
+  using elastic_type = in_numbers<decltype(Model::elastic)>;
+  using adhesion_type = in_numbers<decltype(Model::adhesion)>;
+  using crack_type = in_numbers<decltype(Model::crack)>;
+  using damping_type = in_numbers<decltype(Model::damping)>;
+  using tangential_type = in_numbers<decltype(Model::tangential)>;
+
+public:
+  using number = T;
+  using model_type = Model;
+  static constexpr bool adhesive = Model::adhesive;
+  static constexpr bool attracted = Model::attracted;
+  static constexpr bool damped = Model::damped;
+  static constexpr bool free_edge = Model::has_crack_law;
+  static constexpr bool slides = Model::slides;
+
+  basic_pair<reduced<T>> pair;
+  [[no_unique_address]] elastic_type elastic;
+  [[no_unique_address]] adhesion_type adhesion;
+  [[no_unique_address]] crack_type crack;
+  [[no_unique_address]] damping_type damping;
+  [[no_unique_address]] tangential_type tangential;
+
+  /// Every number of the source, which is a model or its laws in another scalar type, passed through `convert`.
+  template <class Source, class Convert>
+  reduced_laws(const Source& source, const Convert& convert)
+      : pair{convert(source.pair.reduced_modulus), convert(source.pair.reduced_radius),
+             convert(source.pair.reduced_mass)},
+        elastic(rebind_law<reduced<T>>(source.elastic, convert)),
+        adhesion(rebind_law<reduced<T>>(source.adhesion, convert)),
+        crack(rebind_law<reduced<T>>(source.crack, convert)), damping(rebind_law<reduced<T>>(source.damping, convert)),
+        tangential(rebind_law<reduced<T>>(source.tangential, convert)) {}
+
+  /// Force of the bulk damping law.
+  T damping_force(const configuration<reduced<T>>& c) const {
+    if constexpr (damped)
+      return damping.coefficient(pair, c) * c.rate;
+    else
+      return T(0);
+  }
+
+  /// Force by which an attraction opposes the rebound.
+  T rebound_force(const configuration<reduced<T>>& c) const {
+    if constexpr (attracted)
+      return adhesion.rebound_damping(pair, c) * c.rate;
+    else
+      return T(0);
+  }
+
+  /// Force that derives from potential(), > 0 repulsive.
+  T static_force(const configuration<reduced<T>>& c) const {
+    if constexpr (attracted)
+      return elastic.force(pair, c) - adhesion.attraction(pair, c);
+    else
+      return elastic.force(pair, c);
+  }
+
+  /// Force between the bodies, > 0 repulsive.
+  T total_force(const configuration<reduced<T>>& c) const {
+    return static_force(c) + damping_force(c) + rebound_force(c);
+  }
+
+  T kinetic_energy(const T& rate) const { return pair.reduced_mass * rate * rate / T(2); }
+
+  T surface_energy(const configuration<reduced<T>>& c) const {
+    if constexpr (adhesive)
+      return adhesion.surface_energy(c.radius);
+    else if constexpr (attracted)
+      return adhesion.potential_energy(pair, c);
+    else
+      return T(0);
+  }
+
+  /// U_E + U_S.
+  T potential(const configuration<reduced<T>>& c) const { return elastic.stored_energy(pair, c) + surface_energy(c); }
+};
+
+} // namespace ricochet
