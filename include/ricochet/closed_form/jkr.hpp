@@ -11,8 +11,8 @@ namespace detail {
 /// The static branch in units of the fold's radius: s = sqrt(a/a_c), delta = (a_c^2/R)(s^4 - 4s),
 /// U_E + U_S = (E* a_c^5/R^2) u(s), u = 8s^10/15 - 16s^7/3 + 8s^4. Touch s^3 = 4, no force s^3 = 6, fold s = 1.
 struct jkr_impact {
-  inline static const double touch = std::cbrt(4.), rest = std::cbrt(6.);
-  inline static const double sticking_energy = 3.2 + 4.8 * touch * 4;                     ///< u(1) - u(touch)
+  static constexpr double touch = 1.5874010519681994748, rest = 1.8171205928321396589;    // cube roots of 4 and 6
+  static constexpr double sticking_energy = 3.2 + 4.8 * touch * 4;                        ///< u(1) - u(touch)
   static constexpr double coefficient[] = {0, 0, 0, 0, 8, 0, 0, -16. / 3, 0, 0, 8. / 15}; ///< of s^n in u
   double excess, turning; ///< energy left at the fold, largest s
 
