@@ -242,3 +242,15 @@ BOOST_AUTO_TEST_CASE(wrong_impacts_are_refused) {
   const auto smooth = compose(glass_on_steel(10), hertz{});
   BOOST_CHECK_THROW(collide(smooth, impact{1.0 * metres_per_second, 1.0 * metres_per_second}), bad_input);
 }
+
+BOOST_AUTO_TEST_CASE(the_slip_error_is_bounded_in_units_of_the_slip) { // a small one was once measured by the speed
+  scenes source(114);
+  for (int i = 0; i < 20; ++i) {
+    const scene s = source.next();
+    const auto model = compose(s.pair, hertz{}, kuwabara_kono{s.bulk_time}, coulomb{1e-4});
+    const impact at{s.speed, (i % 2 ? 1e-3 : 1.) * s.speed};
+    const auto rough = collide(model, at, {.tolerance = 1e-4}), fine = collide(model, at, {.tolerance = 1e-12});
+    const double error = std::abs(in_si(rough.slip) - in_si(fine.slip)) / in_si(at.slip);
+    BOOST_TEST(error <= rough.slip_error_estimate + fine.slip_error_estimate);
+  }
+}

@@ -95,7 +95,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     if constexpr (Reduced::slides)
       if (value_of(slip_at_touch) > real(0))
         out.slip_error_estimate = static_cast<double>(
-            abs(value_of(out.slip - rough.slip)) * 3 / 2 / value_of(slip_at_touch) + by_chance * v + round_off);
+            (abs(value_of(out.slip - rough.slip)) * 3 / 2 + by_chance * v) / value_of(slip_at_touch) + round_off);
     if ((error <= wanted && out.ending_is_certain) || last_round)
       return out;
     tolerance *= max<real>(real(1e-4), min<real>(real(0.3), wanted / (2 * error)));
