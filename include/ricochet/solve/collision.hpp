@@ -156,11 +156,6 @@ private:
       }
       if (which == event::letting_go || which == event::zero_force)
         return true;
-      if constexpr (Reduced::slides)
-        if (which == event::rolling) {
-          x[slip] = T(0);
-          flow_.sliding = false;
-        }
       happened(which, x);
       if (capture_.certain() && !(asked.extremes && edge_.grows(flow_.piece)))
         return false;
@@ -171,9 +166,13 @@ private:
   }
 
   /// The contact goes on after this event.
-  void happened(event which, const state_type& x) {
-    if (which == event::rolling)
-      return;
+  void happened(event which, state_type& x) {
+    if constexpr (Reduced::slides)
+      if (which == event::rolling) {
+        x[slip] = T(0);
+        flow_.sliding = false;
+        return;
+      }
     if (which != event::turning) {
       flow_.piece = edge_.beyond(x, flow_.piece, which == event::leaving_above);
       return;

@@ -161,6 +161,7 @@ public:
 
 private:
   using point = event_point<real>;
+
   /// Locates the event between x and found.x: by cubics until close, then by a Newton step in the full scalar type, so
   /// that derivatives come out.
   template <class Method>
