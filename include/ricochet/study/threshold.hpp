@@ -34,12 +34,10 @@ sticking_threshold sticking_speed(const Model& model, speed low, speed high, dou
     auto out = collide(model, impact{v}, {.tolerance = tolerance});
     ++found.collisions;
     // Too near to decide, or a fast edge solved too coarsely: only the closest look tells.
-    for (double closer = tolerance / 1e2; !out.ending_is_certain && tolerance > tolerance_range.low; closer /= 1e2) {
-      const double last = std::max(closer, tolerance_range.low);
-      out = collide(model, impact{v}, {.tolerance = last});
+    for (double closer = tolerance; !out.ending_is_certain && closer > tolerance_range.low;) {
+      closer = std::max(closer / 1e2, tolerance_range.low);
+      out = collide(model, impact{v}, {.tolerance = closer});
       ++found.collisions;
-      if (last == tolerance_range.low)
-        break;
     }
     if (out.ending != ending::captured && out.ending != ending::separated)
       throw bad_input("sticking speed: the collision at " + shown(in_si(v)) + " m/s ended " + name_of(out.ending) +
