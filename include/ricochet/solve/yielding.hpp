@@ -1,6 +1,10 @@
 #pragma once
+#include <ricochet/model/contact_model.hpp>
 #include <ricochet/outcome/outcome.hpp>
-#include <ricochet/solve/collision.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace ricochet::detail {
 
