@@ -7,8 +7,6 @@
 
 using namespace support;
 
-static_assert(plasticity_law<thornton_ning> && !plasticity_law<hertz>);
-
 namespace {
 const ice_case ice;
 const thornton_ning soft{.yield_strength = 50.0 * megapascals};

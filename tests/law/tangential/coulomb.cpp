@@ -1,11 +1,8 @@
 #include <boost/test/unit_test.hpp>
 
-#include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
 
 using namespace ricochet;
-
-static_assert(tangential_law<coulomb> && !tangential_law<hertz>);
 
 BOOST_AUTO_TEST_CASE(friction_is_in_proportion_to_the_force_that_presses) {
   const coulomb_law<reduced<double>> law{0.3};
