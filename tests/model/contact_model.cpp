@@ -2,6 +2,8 @@
 
 #include "support/random_scenes.hpp"
 
+#include <ricochet/law/adhesion/dmt.hpp>
+
 using namespace support;
 
 namespace {
@@ -76,4 +78,11 @@ BOOST_AUTO_TEST_CASE(scales_see_the_adhesion) {
   BOOST_TEST(with.length > 1e3 * without.length); // set by adhesion, not by the speed
   BOOST_TEST(same(without.length / without.duration, 1e-9));
   BOOST_TEST(with.mass == in_si(s.pair.reduced_mass));
+}
+
+BOOST_AUTO_TEST_CASE(the_pull_of_an_adhesion_without_an_edge_can_be_had_for_one_configuration) {
+  const contact_pair bodies = between(sphere{materials::steel, 1.0 * micrometres}, flat_wall{materials::steel});
+  const auto model = compose(bodies, hertz{}, dmt{.work_of_adhesion = 0.1 * joules_per_square_metre});
+  const force pull = model.attraction(1.0 * nanometres, 30.0 * nanometres);
+  BOOST_TEST(in_si(pull) == 2 * pi<double>() * 0.1 * 1e-6, boost::test_tools::tolerance(1e-14));
 }

@@ -54,6 +54,11 @@ struct contact_model {
     return elastic.force(pair, {approach, speed{}, radius, root(radius)});
   }
 
+  /// Force by which an adhesion without an edge pulls, >= 0; to be taken from the elastic one.
+  force attraction(length approach, length radius) const requires attracted {
+    return adhesion.attraction(pair, {approach, speed{}, radius, root(radius)});
+  }
+
   /// Damping force for one configuration, > 0 where it opposes an approach.
   force damping_force(length approach, speed rate, length radius) const requires damped {
     return damping.coefficient(pair, {approach, rate, radius, root(radius)}) * rate;
