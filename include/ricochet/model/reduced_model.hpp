@@ -12,6 +12,7 @@ namespace ricochet {
 /// sigma; so y' = rate, and the fold of JKR or the touch of Hertz are ordinary crossings. Free edge (crack law): the
 /// unknowns are delta, rate and y = sqrt(a), with sqrt(beta) = (y^4/R - delta)/(c y), and dt = d sigma/sqrt(1 +
 /// (dy/dt)^2/ref^2), finite where the edge's speed is not.
+/// Plastic flow: the contact has a shape, that of the largest y so far.
 template <class T, class Model>
 class reduced_model : public reduced_laws<T, Model> {
   using laws = reduced_laws<T, Model>;
@@ -23,10 +24,14 @@ public:
   using laws::crack;
   using laws::damped;
   using laws::elastic;
+  using laws::flows;
   using laws::free_edge;
   using laws::pair;
+  using laws::pair_of;
+  using laws::plasticity;
   using laws::slides;
   using laws::tangential;
+  using typename laws::part;
   static constexpr bool root_coordinate =
       adhesive || needs_root_radius<decltype(Model::elastic)> || needs_root_radius<decltype(Model::damping)>;
   static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || slides;
@@ -35,6 +40,7 @@ public:
   using unknowns = join<variables<coordinate_t, approach_rate_t>, optionally<mutual_approach_t, free_edge>,
                         optionally<elapsed_time_t, keeps_time>, optionally<bulk_loss_t, Model::asked.ledger && damped>,
                         optionally<crack_loss_t, Model::asked.ledger && (free_edge || attracted)>,
+                        std::conditional_t<flows, variables<largest_coordinate_t, plastic_loss_t>, variables<>>,
                         std::conditional_t<slides, variables<slip_t, slip_distance_t>, variables<>>>;
   using state_type = state<T, unknowns>;
   static constexpr coordinate_t coordinate{};
@@ -57,6 +63,8 @@ public:
       flattening_ = adhesion.flattening(pair);
       exit_energy_ = free_edge ? T(0) : adhesion.exit_energy(pair);
     }
+    if constexpr (flows)
+      yield_radius_ = plasticity.yield_radius(pair, flattening_);
     if constexpr (free_edge) {
       edge_speed_ = crack.speed_scale(pair, adhesion.work_of_adhesion);
       reference_ = sqrt(sqrt(pair.reduced_radius)) / T(2);
@@ -66,10 +74,18 @@ public:
   /// Least energy the contact has where it lets go; below it, it can never separate.
   const T& exit_energy() const { return exit_energy_; }
 
-  using instant = contact_instant<T>;
+  /// The same of a contact flattened as this one is; flow to come takes energy away and only raises it.
+  T exit_energy([[maybe_unused]] const part& c) const {
+    if constexpr (flows && adhesive)
+      return adhesion.exit_energy(c.pair);
+    else
+      return exit_energy_;
+  }
+
+  using instant = contact_instant<T, part>;
 
   /// `piece` of the crack law to be used, or sliding(j) while the edge is held at joint j, where the law jumps and
-  /// both sides of the jump push beta back to it; ignored without a crack law.
+  /// both sides of the jump push beta back to it; of a flowing law 1 while it flows, else 0.
   instant at(const state_type& x, int piece) const {
     instant now{};
     const T& y = x[coordinate];
@@ -102,8 +118,10 @@ public:
       now.clock = edge.slowness * norm;
       now.coordinate_rate = advance * norm;
     } else {
-      now.c.approach = elastic.load_free_approach(pair, now.c.radius);
-      now.clock = elastic.load_free_slope(pair, now.c.radius);
+      if constexpr (flows)
+        give_shape(now.c, shape_of(x, piece));
+      now.c.approach = elastic.load_free_approach(pair_of(now.c), now.c.radius);
+      now.clock = elastic.load_free_slope(flows && piece == 0 ? pair_of(now.c) : pair, now.c.radius);
       if constexpr (root_coordinate)
         now.clock *= T(2) * y;
       if constexpr (adhesive) {
@@ -149,6 +167,13 @@ public:
     if constexpr (Model::asked.ledger && free_edge) // [K (C.2)] with da = 2y dy
       dx[crack_loss] = T(4) * pi<T>() * now.c.radius * adhesion.work_of_adhesion * (T(1) - now.root_ratio) *
                        (T(1) + now.root_ratio) * x[coordinate] * now.coordinate_rate;
+    if constexpr (flows) {
+      dx[largest_coordinate] = piece == 0 ? T(0) : now.coordinate_rate;
+      dx[plastic_loss] = T(0);
+      if (piece != 0)
+        dx[plastic_loss] = plasticity.lost_force(now.c, shape_of(x, piece)) *
+                           (root_coordinate ? T(2) * x[coordinate] : T(1)) * now.coordinate_rate;
+    }
     if constexpr (slides) { // homogeneous spheres: 1/m* + sum R_i^2/I_i = 7/2m*
       dx[slip] =
           sliding
@@ -171,6 +196,8 @@ public:
       x[coordinate] = sqrt(T(adhesion.touch_radius(pair) * cube_root(crack.first_ratio())));
     else if constexpr (adhesive)
       x[coordinate] = sqrt(adhesion.touch_radius(pair));
+    if constexpr (flows)
+      x[largest_coordinate] = root_coordinate ? T(sqrt(yield_radius_)) : yield_radius_;
     return x;
   }
 
@@ -190,6 +217,8 @@ public:
     x[coordinate] = sqrt(pair.reduced_radius);
     if constexpr (root_coordinate)
       x[coordinate] = sqrt(x[coordinate]);
+    if constexpr (flows)
+      x[largest_coordinate] = x[coordinate];
     return x;
   }
 
@@ -197,11 +226,24 @@ public:
   real_of<T> typical_time() const { return free_edge ? real_of<T>(1) : real_of<T>(value_of(typical()[coordinate])); }
 
 private:
+  /// That of the largest radius so far, which grows while it flows.
+  contact_shape<reduced<T>> shape_of(const state_type& x, int piece) const requires flows {
+    const T& y = piece == 0 ? x[largest_coordinate] : x[coordinate];
+    return plasticity.shape(pair, flattening_, yield_radius_, root_coordinate ? T(y * y) : y);
+  }
+
+  void give_shape(part& c, const contact_shape<reduced<T>>& shape) const requires flows {
+    c.pair = pair;
+    c.pair.reduced_radius = shape.radius;
+    c.residual_approach = shape.residual_approach;
+  }
+
   /// d(delta)/dy at constant beta.
   T root_ratio_gradient(const instant& now) const {
     return elastic.load_free_slope(pair, now.c.radius) * T(2) * now.c.root_radius - flattening_ * now.root_ratio;
   }
 
+  [[no_unique_address]] std::conditional_t<flows, T, variables<>> yield_radius_{};
   T flattening_ = T(0), exit_energy_ = T(0), edge_speed_ = T(0), reference_ = T(1);
 };
 

@@ -14,7 +14,7 @@ inline void write_trajectory(const std::filesystem::path& file, const std::strin
     column head;
     const std::vector<double>* values;
   };
-  const std::array<named, 11> all{{{{"time", "s"}, &motion.time},
+  const std::array<named, 12> all{{{{"time", "s"}, &motion.time},
                                    {{"mutual_approach", "m"}, &motion.mutual_approach},
                                    {{"approach_rate", "m/s"}, &motion.approach_rate},
                                    {{"contact_radius", "m"}, &motion.contact_radius},
@@ -24,7 +24,8 @@ inline void write_trajectory(const std::filesystem::path& file, const std::strin
                                    {{"elastic_energy", "J"}, &motion.elastic_energy},
                                    {{"surface_energy", "J"}, &motion.surface_energy},
                                    {{"crack_loss", "J"}, &motion.crack_loss},
-                                   {{"bulk_loss", "J"}, &motion.bulk_loss}}};
+                                   {{"bulk_loss", "J"}, &motion.bulk_loss},
+                                   {{"plastic_loss", "J"}, &motion.plastic_loss}}};
   std::vector<column> columns;
   for (const named& each : all)
     if (each.values->size() == motion.time.size())
