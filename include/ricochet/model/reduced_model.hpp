@@ -1,7 +1,5 @@
 #pragma once
-#include <ricochet/law/crack/crack_velocity_law.hpp>
-#include <ricochet/model/reduced_laws.hpp>
-#include <ricochet/model/state.hpp>
+#include <ricochet/model/shaped_laws.hpp>
 
 namespace ricochet {
 
@@ -14,13 +12,16 @@ namespace ricochet {
 /// (dy/dt)^2/ref^2), finite where the edge's speed is not.
 /// Plastic flow: the contact has a shape, that of the largest y so far.
 template <class T, class Model>
-class reduced_model : public reduced_laws<T, Model> {
-  using laws = reduced_laws<T, Model>;
+class reduced_model : public shaped_laws<T, Model> {
+  using laws = shaped_laws<T, Model>;
+  using laws::flattening_;
+  using laws::yield_coordinate_;
 
 public:
   using laws::adhesion;
   using laws::adhesive;
   using laws::attracted;
+  using laws::coordinate;
   using laws::crack;
   using laws::damped;
   using laws::elastic;
@@ -29,21 +30,19 @@ public:
   using laws::pair;
   using laws::pair_of;
   using laws::plasticity;
+  using laws::root_coordinate;
   using laws::slides;
   using laws::tangential;
+  using typename laws::coordinate_t;
   using typename laws::part;
-  static constexpr bool root_coordinate =
-      adhesive || needs_root_radius<decltype(Model::elastic)> || needs_root_radius<decltype(Model::damping)>;
   static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || slides;
 
-  using coordinate_t = std::conditional_t<root_coordinate, root_contact_radius_t, contact_radius_t>;
   using unknowns = join<variables<coordinate_t, approach_rate_t>, optionally<mutual_approach_t, free_edge>,
                         optionally<elapsed_time_t, keeps_time>, optionally<bulk_loss_t, Model::asked.ledger && damped>,
                         optionally<crack_loss_t, Model::asked.ledger && (free_edge || attracted)>,
                         std::conditional_t<flows, variables<largest_coordinate_t, plastic_loss_t>, variables<>>,
                         std::conditional_t<slides, variables<slip_t, slip_distance_t>, variables<>>>;
   using state_type = state<T, unknowns>;
-  static constexpr coordinate_t coordinate{};
 
   reduced_model(const Model& model, const scales& unit)
       : laws(model, [&unit](const auto& quantity) { return reduce<T>(quantity, unit); }) {
@@ -59,27 +58,11 @@ public:
 
   /// Recomputes what is constant during a collision; to be called after a law's parameter was changed.
   void prepare() {
-    if constexpr (adhesive) {
-      flattening_ = adhesion.flattening(pair);
-      exit_energy_ = free_edge ? T(0) : adhesion.exit_energy(pair);
-    }
-    if constexpr (flows)
-      yield_radius_ = plasticity.yield_radius(pair, flattening_);
+    this->prepare_contact();
     if constexpr (free_edge) {
       edge_speed_ = crack.speed_scale(pair, adhesion.work_of_adhesion);
       reference_ = sqrt(sqrt(pair.reduced_radius)) / T(2);
     }
-  }
-
-  /// Least energy the contact has where it lets go; below it, it can never separate.
-  const T& exit_energy() const { return exit_energy_; }
-
-  /// The same of a contact flattened as this one is; flow to come takes energy away and only raises it.
-  T exit_energy([[maybe_unused]] const part& c) const {
-    if constexpr (flows && adhesive)
-      return adhesion.exit_energy(c.pair);
-    else
-      return exit_energy_;
   }
 
   using instant = contact_instant<T, part>;
@@ -90,7 +73,7 @@ public:
     instant now{};
     const T& y = x[coordinate];
     now.c.rate = x[approach_rate];
-    now.c.radius = root_coordinate ? T(y * y) : y;
+    now.c.radius = laws::radius_at(y);
     if constexpr (root_coordinate)
       now.c.root_radius = y;
     else // no law has declared that it uses it: who does all the same, shall notice
@@ -119,7 +102,7 @@ public:
       now.coordinate_rate = advance * norm;
     } else {
       if constexpr (flows)
-        give_shape(now.c, shape_of(x, piece));
+        now.c.take(pair, this->shape_at(piece == 0 ? x[largest_coordinate] : y));
       now.c.approach = elastic.load_free_approach(pair_of(now.c), now.c.radius);
       now.clock = elastic.load_free_slope(flows && piece == 0 ? pair_of(now.c) : pair, now.c.radius);
       if constexpr (root_coordinate)
@@ -169,10 +152,8 @@ public:
                        (T(1) + now.root_ratio) * x[coordinate] * now.coordinate_rate;
     if constexpr (flows) {
       dx[largest_coordinate] = piece == 0 ? T(0) : now.coordinate_rate;
-      dx[plastic_loss] = T(0);
-      if (piece != 0)
-        dx[plastic_loss] = plasticity.lost_force(now.c, shape_of(x, piece)) *
-                           (root_coordinate ? T(2) * x[coordinate] : T(1)) * now.coordinate_rate;
+      dx[plastic_loss] =
+          piece == 0 ? T(0) : T(this->plastic_loss_per_growth(now.c, x[coordinate]) * now.coordinate_rate);
     }
     if constexpr (slides) { // homogeneous spheres: 1/m* + sum R_i^2/I_i = 7/2m*
       dx[slip] =
@@ -197,7 +178,7 @@ public:
     else if constexpr (adhesive)
       x[coordinate] = sqrt(adhesion.touch_radius(pair));
     if constexpr (flows)
-      x[largest_coordinate] = root_coordinate ? T(sqrt(yield_radius_)) : yield_radius_;
+      x[largest_coordinate] = yield_coordinate_;
     return x;
   }
 
@@ -226,25 +207,12 @@ public:
   real_of<T> typical_time() const { return free_edge ? real_of<T>(1) : real_of<T>(value_of(typical()[coordinate])); }
 
 private:
-  /// That of the largest radius so far, which grows while it flows.
-  contact_shape<reduced<T>> shape_of(const state_type& x, int piece) const requires flows {
-    const T& y = piece == 0 ? x[largest_coordinate] : x[coordinate];
-    return plasticity.shape(pair, flattening_, yield_radius_, root_coordinate ? T(y * y) : y);
-  }
-
-  void give_shape(part& c, const contact_shape<reduced<T>>& shape) const requires flows {
-    c.pair = pair;
-    c.pair.reduced_radius = shape.radius;
-    c.residual_approach = shape.residual_approach;
-  }
-
   /// d(delta)/dy at constant beta.
   T root_ratio_gradient(const instant& now) const {
     return elastic.load_free_slope(pair, now.c.radius) * T(2) * now.c.root_radius - flattening_ * now.root_ratio;
   }
 
-  [[no_unique_address]] std::conditional_t<flows, T, variables<>> yield_radius_{};
-  T flattening_ = T(0), exit_energy_ = T(0), edge_speed_ = T(0), reference_ = T(1);
+  T edge_speed_ = T(0), reference_ = T(1);
 };
 
 } // namespace ricochet

@@ -73,14 +73,25 @@ struct flow_result {
 template <class Column>
 struct trajectory_columns {
   Column time, mutual_approach, approach_rate, contact_radius, elastic_force, damping_force, kinetic_energy,
-      elastic_energy, surface_energy, crack_loss, bulk_loss, plastic_loss;
+      elastic_energy, surface_energy, crack_loss, bulk_loss;
 };
+
+template <class Column>
+struct flowing_trajectory_columns : trajectory_columns<Column> {
+  Column plastic_loss; ///< likewise
+};
+
+namespace detail {
+template <bool Flows, class Column>
+using columns_of = std::conditional_t<Flows, flowing_trajectory_columns<Column>, trajectory_columns<Column>>;
+}
 
 /// The motion, one row a state; in SI units once it leaves collide(). crack_loss and bulk_loss (J, up to the row, jumps
 /// included, so that the energies add up to that of the impact) are filled where the ledger was asked for too, and so
 /// is plastic_loss where the motion has one.
+template <bool Flows>
 struct trajectory_result {
-  trajectory_columns<std::vector<double>> trajectory;
+  detail::columns_of<Flows, std::vector<double>> trajectory;
 };
 
 namespace detail {
@@ -96,7 +107,7 @@ template <class T, class Length, class Duration, class Force, class Speed, reque
 struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.duration, duration_result<Duration>, 1>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
-                       detail::part<Asked.trajectory, trajectory_result, 3>,
+                       detail::part<Asked.trajectory, trajectory_result<Flows>, 3>,
                        detail::part<Slides, sliding_result<Speed, Length, Duration>, 4>,
                        detail::part<Flows, flow_result<T, Length>, 5> {
   ricochet::ending ending = ricochet::ending::failed;

@@ -150,9 +150,10 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
     scale(t.contact_radius, unit.length);
     scale(t.elastic_force, newton);
     scale(t.damping_force, newton);
-    for (auto* column :
-         {&t.kinetic_energy, &t.elastic_energy, &t.surface_energy, &t.crack_loss, &t.bulk_loss, &t.plastic_loss})
+    for (auto* column : {&t.kinetic_energy, &t.elastic_energy, &t.surface_energy, &t.crack_loss, &t.bulk_loss})
       scale(*column, joule);
+    if constexpr (Model::flows)
+      scale(t.plastic_loss, joule);
   }
   return out;
 }

@@ -136,7 +136,7 @@ private:
   }
 
   [[no_unique_address]] std::conditional_t<asked.extremes, extremes_part, nothing> parts_;
-  [[no_unique_address]] std::conditional_t<asked.trajectory, trajectory_columns<std::vector<double>>,
+  [[no_unique_address]] std::conditional_t<asked.trajectory, detail::columns_of<Reduced::flows, std::vector<double>>,
                                            detail::nothing<9>>
       rows_;
 };

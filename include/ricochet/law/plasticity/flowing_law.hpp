@@ -19,6 +19,12 @@ template <class S>
 struct flattened_configuration : configuration<S> {
   basic_pair<S> pair;
   typename S::length residual_approach;
+
+  void take(const basic_pair<S>& round, const contact_shape<S>& shape) {
+    pair = round;
+    pair.reduced_radius = shape.radius;
+    residual_approach = shape.residual_approach;
+  }
 };
 
 /// Flowing law: plastic flow within the motion. While the contact radius grows beyond the largest one so far, the shape

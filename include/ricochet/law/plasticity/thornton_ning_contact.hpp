@@ -54,7 +54,7 @@ struct thornton_ning_contact_law {
     const auto slope = number(2) * strain * a + number(3) * flattening * sqrt(a) / number(2);
     contact_shape<S> result;
     result.radius = a * (a * a / area);
-    result.residual_approach = (a * a / R) - area / a;
+    result.residual_approach = (a * a * (a / R) - area) / a; // exactly 0 at yield
     result.radius_slope = (number(3) * a * a - result.radius * slope) / area;
     result.approach_slope = number(2) * a / R - slope / a + area / (a * a);
     return result;
