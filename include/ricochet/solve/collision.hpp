@@ -171,12 +171,12 @@ private:
         flow_.sliding = false;
         return;
       }
+    if constexpr (Reduced::flows)
+      flow_.set_plastic(which == event::yielding, x);
     if (which != event::turning) {
       flow_.piece = edge_.beyond(x, flow_.piece, which == event::leaving_above);
       return;
     }
-    if constexpr (Reduced::flows)
-      flow_.piece = 0;
     approaching_ = !approaching_;
     if (!std::exchange(has_turned_, true))
       energy_at_turning_ = model_.potential(now(x));

@@ -67,7 +67,7 @@ public:
       const bool pushed_back = !has_kink(piece, up) && (value_of(model_.root_ratio_rate(x, next)) > real(0)) != up;
       return pushed_back ? Reduced::sliding(joint) : next;
     } else {
-      return Reduced::flows ? 1 : piece; // the contact yields
+      return piece;
     }
   }
 

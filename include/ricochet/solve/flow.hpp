@@ -18,6 +18,14 @@ struct flow {
   bool outside = false; ///< set when a stage left the domain of the equations; its step has to be rejected
   long evaluations = 0;
 
+  /// Plastic flow begins or ends. Where it begins, radius and largest radius are the same in every digit and
+  /// derivative.
+  void set_plastic(bool begins, state_type& x) requires Reduced::flows {
+    piece = begins ? 1 : 0;
+    if (begins)
+      x[largest_coordinate] = x[Reduced::coordinate];
+  }
+
   void operator()(const state_type& x, state_type& dx, const real&) {
     ++evaluations;
     if (model.derivative(x, dx, piece, sliding))

@@ -323,6 +323,12 @@ BOOST_AUTO_TEST_CASE(flow_goes_on_beyond_the_largest_radius_only) {
   BOOST_TEST_REQUIRE(numbers.derivative(x, flowing, 1));
   BOOST_TEST(flowing[largest_coordinate] == flowing[root_contact_radius]);
   BOOST_TEST(flowing[plastic_loss] > 0);
+  flow<numbers_type> run{numbers};
+  x[root_contact_radius] = 1.32 * yielded;
+  run.set_plastic(true, x);
+  BOOST_TEST((run.piece == 1 && x[largest_coordinate] == x[root_contact_radius]));
+  run.set_plastic(false, x);
+  BOOST_TEST(run.piece == 0);
   // Flattened bodies let go with more energy.
   BOOST_TEST(numbers.exit_energy(numbers.at(x, 0).c) > numbers.exit_energy());
 }
