@@ -12,8 +12,7 @@ struct flow {
   using real = real_of<number>;
 
   const Reduced& model;
-  int piece =
-      0; ///< of the crack law, or 1 while plastic flow goes on; held during a step, so that every step is smooth
+  int piece = 0;        ///< of the crack law, or 1 while plastic flow goes on; held during a step: steps are smooth
   bool sliding = false; ///< of the contact point; held likewise
   bool outside = false; ///< set when a stage left the domain of the equations; its step has to be rejected
   long evaluations = 0;
