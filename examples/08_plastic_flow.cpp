@@ -5,7 +5,8 @@
 // table says when adding is good enough: where JKR's sticking speed is a tenth of the yield speed or less, e comes out
 // within 0.01, never too small; near the yield speed of spheres that stick more, it is of no use.
 //
-// Try next: add kuwabara_kono{...} to both; a strength below 111 MPa, which adhesion alone makes yield, is refused.
+// Try next: add kuwabara_kono{...} to both; a strength below 111 MPa, that of a contact which yields while
+// adhesion draws it together, is refused.
 #include <ricochet/closed_form/jkr.hpp>
 #include <ricochet/collide.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>

@@ -116,14 +116,14 @@ void admit(Law& law) {
 } // namespace detail
 
 namespace detail {
-/// \throws bad_input where adhesion alone would make the contact yield.
+/// \throws bad_input where the contact would yield while adhesion draws it together.
 template <class Adhesion, class Flow>
 void admit_flow(const contact_pair& pair, const Adhesion& adhesion, const Flow& law) {
   if constexpr (adhesion_law<Adhesion> && flowing_law<Flow>) {
     const modulus least = law.least_strength(pair, adhesion.flattening(pair));
     if (law.yield_strength < least)
       throw bad_input("yield_strength = " + shown(in_si(law.yield_strength)) + " Pa is below " + shown(in_si(least)) +
-                      " Pa: adhesion alone would make the contact yield, which this law does not describe");
+                      " Pa: the contact would yield while adhesion draws it together, where this law creates energy");
   }
 }
 } // namespace detail

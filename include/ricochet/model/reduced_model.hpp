@@ -1,4 +1,5 @@
 #pragma once
+#include <ricochet/law/crack/crack_velocity_law.hpp>
 #include <ricochet/model/shaped_laws.hpp>
 
 namespace ricochet {

@@ -1,5 +1,4 @@
 #pragma once
-#include <ricochet/law/crack/crack_velocity_law.hpp>
 #include <ricochet/model/reduced_laws.hpp>
 #include <ricochet/model/state.hpp>
 

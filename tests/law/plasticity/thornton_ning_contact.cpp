@@ -5,6 +5,7 @@
 #include <ricochet/closed_form/jkr.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/law/plasticity/thornton_ning_contact.hpp>
+#include <ricochet/study/threshold.hpp>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -235,6 +236,33 @@ BOOST_AUTO_TEST_CASE(with_adhesion_its_restitution_is_that_of_quadratures) {
   BOOST_TEST((captured && flattened && round));
 }
 
+BOOST_AUTO_TEST_CASE(plastic_flow_raises_the_sticking_speed) {
+  const modulus strength = 140. * megapascals;
+  const speed elastic = closed_form::sticking_speed(ice.pair, ice.adhesive.work_of_adhesion);
+  const auto found = sticking_speed(compose(ice.pair, hertz{}, ice.adhesive, thornton_ning_contact{strength}),
+                                    0.5 * elastic, 7. * elastic, 1e-8);
+  const by_quadrature expected(ice.pair, ice.adhesive.work_of_adhesion, strength);
+  BOOST_TEST(expected.squared_restitution(in_si(found.value()) * (1 - 1e-7)) < 0);
+  BOOST_TEST(expected.squared_restitution(in_si(found.value()) * (1 + 1e-7)) > 0);
+  BOOST_TEST((found.value() > 1.3 * elastic));
+}
+
+BOOST_AUTO_TEST_CASE(a_damped_contact_ends_where_its_force_vanishes) {
+  const auto out = collide(compose(ice.pair, hertz{}, thornton_ning_contact{10. * megapascals},
+                                   kuwabara_kono{2e-10 * seconds}, energy_ledger{}, trajectory{}),
+                           impact{1.0 * metres_per_second}, {.tolerance = 1e-10});
+  const auto& t = out.trajectory;
+  const std::size_t last = t.time.size() - 2; // the row after it is of the bodies apart
+  BOOST_TEST(t.elastic_force[last] > 0);
+  BOOST_TEST(std::abs(t.elastic_force[last] + t.damping_force[last]) < 1e-9 * t.elastic_force[last]);
+  BOOST_TEST(t.mutual_approach[last] > in_si(out.residual_approach));
+  // The force is that of the flattened contact, 4E*a^3/3R_p, and the approach what exceeds the residual one.
+  const double a = t.contact_radius[last], R = a * a / (t.mutual_approach[last] - in_si(out.residual_approach));
+  BOOST_TEST(t.elastic_force[last] / (4 * in_si(ice.pair.reduced_modulus) * a * a * a / (3 * R)) == 1,
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(R > 1.5 * in_si(ice.pair.reduced_radius));
+}
+
 BOOST_AUTO_TEST_CASE(limits_of_strength_and_adhesion) {
   const impact at{4.0 * metres_per_second};
   const auto strong = collide(compose(ice.pair, hertz{}, ice.adhesive, thornton_ning_contact{10. * gigapascals}), at);
@@ -373,7 +401,7 @@ BOOST_AUTO_TEST_CASE(wrong_strength_is_refused) {
   BOOST_CHECK_THROW(compose(ice.pair, hertz{}, thornton_ning_contact{}), bad_input);
   const auto says = [](const bad_input& refused) {
     return std::string(refused.what()).starts_with("yield_strength = 100000000 Pa is below 1112") &&
-           std::string(refused.what()).find("adhesion alone") != std::string::npos;
+           std::string(refused.what()).find("adhesion draws it together") != std::string::npos;
   };
   BOOST_CHECK_EXCEPTION(compose(ice.pair, hertz{}, ice.adhesive, thornton_ning_contact{100. * megapascals}), bad_input,
                         says);

@@ -9,7 +9,7 @@ namespace ricochet {
 /// and delta_p = a^2/R - a^2/R_p.
 /// yield_strength: Y of the weaker body, Pa, > 0; of a small body, closed_form::yield_strength() gives it.
 /// Valid for Hertz with or without JKR, while the plastic zone is enclosed: to pressures of about 3 Y on average. Below
-/// least_strength() adhesion alone makes the contact yield, and the law would create energy.
+/// least_strength() the contact yields while adhesion draws it together, where the law would create energy.
 /// Source: Thornton & Ning 1998, Powder Technol. 99 154; without adhesion its restitution is Krijt 2013 (29).
 template <class S>
 struct thornton_ning_contact_law {
@@ -68,8 +68,8 @@ struct thornton_ning_contact_law {
                         (flat / shape.radius) * (c.approach / number(3) - flat / number(5)) * shape.radius_slope);
   }
 
-  /// Strength at which the contact first yields where the load-free part pulls no stronger than flow can bear: at
-  /// a^{3/2} = 5cR/4, a radius 1.16 times that at touch. Energy lost there is zero, below it would be negative.
+  /// Strength of a contact that first yields at a^{3/2} = 5cR/4, 1.16 times its radius at touch: of one that yields at
+  /// less, lost_force() begins negative.
   typename S::modulus least_strength(const basic_pair<S>& pair, root_length flattening) const {
     if (flattening == root_length{})
       return typename S::modulus{};
