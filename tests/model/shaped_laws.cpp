@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(before_it_yields_a_contact_is_that_of_the_round_bodies) {
       const auto expected = round.at(x, 0);
       const auto found = flowing.at(y, 0);
       const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-14 * std::abs(b); };
-      BOOST_TEST(found.c.residual_approach == 0);
+      BOOST_TEST(found.c.shape.residual_approach == 0);
       BOOST_TEST(std::abs(flowing.whole_approach(found.c) - round.whole_approach(expected.c)) <
                  1e-14 * found.c.radius * found.c.radius / round.pair.reduced_radius);
       BOOST_TEST(same(found.clock, expected.clock));

@@ -89,7 +89,7 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
   static_cast<configuration<S>&>(flat) = c;
   flat.take(pair, shape);
   values.insert(values.end(), {shape.radius, shape.residual_approach, shape.radius_slope, shape.approach_slope,
-                               flowing.lost_force(flat, shape)});
+                               flowing.lost_force(flat)});
   const auto put = [&](const edge_rate<T>& edge) { values.insert(values.end(), {edge.advance, edge.slowness}); };
   for (int piece = 0; piece < 4; ++piece)
     put(fit.rate(x.root_ratio, piece));

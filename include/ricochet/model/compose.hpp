@@ -94,9 +94,9 @@ void check_dimensions() {
   else if constexpr (plays<Law, role::tangential>)
     (void)[](const Law& law, force f) { (void)force(law.sliding_force(f)); };
   else if constexpr (flowing_law<Law>)
-    (void)[](const Law& law, pair p, const flattened_configuration<dimensional>& c, root_length flattening) {
-      const contact_shape<dimensional> shape = law.shape(p, flattening, law.yield_radius(p, flattening), c.radius);
-      (void)force(law.lost_force(c, shape));
+    (void)[](const Law& law, pair p, flattened_configuration<dimensional>& c, root_length flattening) {
+      c.take(p, law.shape(p, flattening, law.yield_radius(p, flattening), c.radius));
+      (void)force(law.lost_force(c));
       (void)modulus(law.least_strength(p, flattening) + law.yield_strength);
     };
 }

@@ -56,7 +56,7 @@ public:
   /// Approach of the bodies: that of the contact, and the residual one of a flattened contact.
   T whole_approach(const part& c) const {
     if constexpr (flows)
-      return c.approach + c.residual_approach;
+      return c.approach + c.shape.residual_approach;
     else
       return c.approach;
   }

@@ -57,7 +57,7 @@ protected:
 
   /// Energy that flow takes for each growth of y, of a contact at its largest.
   T plastic_loss_per_growth(const part& c, const T& y) const requires flows {
-    const T lost = this->plasticity.lost_force(c, shape_at(y));
+    const T lost = this->plasticity.lost_force(c);
     return root_coordinate ? T(T(2) * y * lost) : lost;
   }
 

@@ -20,5 +20,5 @@ BOOST_AUTO_TEST_CASE(a_shape_is_taken_with_the_rest_of_the_pair) {
   c.take({.reduced_modulus = 2, .reduced_radius = 3, .reduced_mass = 5},
          {.radius = 7, .residual_approach = 0.5, .radius_slope = 1, .approach_slope = 1});
   BOOST_TEST((c.pair.reduced_modulus == 2 && c.pair.reduced_radius == 7 && c.pair.reduced_mass == 5));
-  BOOST_TEST(c.residual_approach == 0.5);
+  BOOST_TEST(c.shape.residual_approach == 0.5);
 }

@@ -18,12 +18,12 @@ struct contact_shape {
 template <class S>
 struct flattened_configuration : configuration<S> {
   basic_pair<S> pair;
-  typename S::length residual_approach;
+  contact_shape<S> shape;
 
-  void take(const basic_pair<S>& round, const contact_shape<S>& shape) {
+  void take(const basic_pair<S>& round, const contact_shape<S>& its_shape) {
     pair = round;
-    pair.reduced_radius = shape.radius;
-    residual_approach = shape.residual_approach;
+    pair.reduced_radius = its_shape.radius;
+    shape = its_shape;
   }
 };
 
@@ -37,7 +37,7 @@ concept flowing_law = any_law<L> && plays<L, role::plasticity> &&
              const flattened_configuration<reduced<double>>& c, double x) {
   { law.yield_radius(pair, x) } -> std::same_as<double>;
   { law.shape(pair, x, x, x) } -> std::same_as<contact_shape<reduced<double>>>;
-  { law.lost_force(c, law.shape(pair, x, x, x)) } -> std::same_as<double>;
+  { law.lost_force(c) } -> std::same_as<double>;
   { law.least_strength(pair, x) } -> std::same_as<double>;
   { law.yield_strength } -> std::convertible_to<double>;
 };

@@ -52,20 +52,23 @@ struct thornton_ning_contact_law {
     const auto area = yielded * yielded * (yielded / R) + strain * (a - yielded) * (a + yielded) +
                       flattening * (a * sqrt(a) - yielded * sqrt(yielded)); // 3F_1/4E*
     const auto slope = number(2) * strain * a + number(3) * flattening * sqrt(a) / number(2);
+    const auto per_radius = number(1) / a;
+    const auto per_area = number(1) / area;
+    const number flat = a / R;
     contact_shape<S> result;
-    result.radius = a * (a * a / area);
-    result.residual_approach = (a * a * (a / R) - area) / a; // exactly 0 at yield
-    result.radius_slope = (number(3) * a * a - result.radius * slope) / area;
-    result.approach_slope = number(2) * a / R - slope / a + area / (a * a);
+    result.radius = a * (a * a * per_area);
+    result.residual_approach = (a * a * flat - area) * per_radius; // exactly 0 at yield
+    result.radius_slope = (number(3) * a * a - result.radius * slope) * per_area;
+    result.approach_slope = number(2) * flat - (slope - area * per_radius) * per_radius;
     return result;
   }
 
   /// Energy lost for each growth of the largest radius: F d(delta_p)/da - dU/dR_p dR_p/da, with Hertz's U.
-  typename S::force lost_force(const flattened_configuration<S>& c, const contact_shape<S>& shape) const {
-    const length flat = c.radius * c.radius / shape.radius;
+  typename S::force lost_force(const flattened_configuration<S>& c) const {
+    const length flat = c.radius * c.radius / c.shape.radius;
     const auto stiffness = number(2) * c.pair.reduced_modulus * c.radius;
-    return stiffness * ((c.approach - flat / number(3)) * shape.approach_slope -
-                        (flat / shape.radius) * (c.approach / number(3) - flat / number(5)) * shape.radius_slope);
+    return stiffness * ((c.approach - flat / number(3)) * c.shape.approach_slope -
+                        (flat / c.shape.radius) * (c.approach / number(3) - flat / number(5)) * c.shape.radius_slope);
   }
 
   /// Strength of a contact that first yields at a^{3/2} = 5cR/4, 1.16 times its radius at touch: of one that yields at
