@@ -41,8 +41,8 @@ public:
     case event::letting_go:
       if constexpr (Reduced::free_edge)
         return std::size_t(piece) == joint_count ? model_.at(x, piece).slowness : T(1); // only the last piece opens
-      else if constexpr (Reduced::flows && Reduced::adhesive)                           // the fold is that of the shape
-        return model_.at(x, piece).clock;
+      else if constexpr (Reduced::flows && Reduced::adhesive)
+        return model_.at(x, piece).clock; // the fold is that of the shape
       else
         return x[Reduced::coordinate] - fold_;
     case event::zero_force:
