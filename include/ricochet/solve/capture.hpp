@@ -11,7 +11,7 @@ template <class Reduced>
 class capture {
   using T = typename Reduced::number;
   using real = real_of<T>;
-  using part = configuration<reduced<T>>;
+  using part = typename Reduced::part;
 
 public:
   explicit capture(const Reduced& model) : model_(model) {}
@@ -32,7 +32,7 @@ public:
 
   /// Looks at a contact that may creep.
   T look_closely(const part& c, ledger<Reduced>& books) {
-    const T left = model_.kinetic_energy(c.rate) + books.meet(c) - model_.exit_energy();
+    const T left = model_.kinetic_energy(c.rate) + books.meet(c) - model_.exit_energy(c);
     certain_ = Reduced::adhesive || Reduced::attracted ? value_of(left) < real(0) : never_opens();
     return left;
   }
