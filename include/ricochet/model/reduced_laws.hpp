@@ -69,6 +69,7 @@ public:
     f(crack, other.crack);
     f(damping, other.damping);
     f(tangential, other.tangential);
+    f(plasticity, other.plasticity);
   }
 
   /// Scales of an impact at this speed, of laws in SI.

@@ -50,7 +50,7 @@ public:
     prepare();
   }
 
-  explicit reduced_model(const laws& in_scales) : laws(in_scales) { prepare(); }
+  explicit reduced_model(const reduced_laws<T, Model>& in_scales) : laws(in_scales) { prepare(); }
 
   /// The same numbers in another scalar type.
   template <class Other>

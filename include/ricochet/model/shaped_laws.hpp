@@ -23,6 +23,7 @@ public:
   static constexpr coordinate_t coordinate{};
 
   using laws::laws;
+  explicit shaped_laws(const laws& others) : laws(others) {}
 
   /// Least energy the contact has where it lets go; below it, it can never separate.
   const T& exit_energy() const { return exit_energy_; }
