@@ -12,9 +12,11 @@
 
 namespace ricochet {
 
-/// How many laws of each role a composition names; `attraction` of the adhesion laws are forces without an edge.
+/// How many laws of each role a composition names; `attraction` of the adhesion laws are forces without an edge,
+/// `stick_slip` of the tangential ones stick and slip at once.
 struct role_count {
-  int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0, attraction = 0, tangential = 0, plasticity = 0;
+  int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0, attraction = 0, tangential = 0, plasticity = 0,
+      stick_slip = 0;
 };
 
 /// Empty if laws in these numbers go together, else the sentence of refusal.
@@ -35,6 +37,8 @@ constexpr std::string_view refusal(const role_count& n) {
     return "two plasticity laws were given: keep one";
   if (n.plasticity == 1 && n.tangential == 1)
     return "plastic flow is added to the normal motion only: drop the tangential law or the plasticity law";
+  if (n.stick_slip == 1 && n.adhesion != n.attraction)
+    return "a tangential law with stick and slip needs a Hertzian contact: drop the adhesion law or take coulomb";
   if (n.end > 1)
     return "two end conditions were given: keep one";
   if (n.crack == 1 && n.adhesion == n.attraction)
@@ -53,7 +57,8 @@ constexpr role_count count_roles() {
           .end = (int(plays<Laws, role::end>) + ... + 0),
           .attraction = (int(attraction_law<Laws>) + ... + 0),
           .tangential = (int(plays<Laws, role::tangential>) + ... + 0),
-          .plasticity = (int(plays<Laws, role::plasticity>) + ... + 0)};
+          .plasticity = (int(plays<Laws, role::plasticity>) + ... + 0),
+          .stick_slip = (int(stick_slip_law<Laws>) + ... + 0)};
 }
 
 /// Can these laws be composed?

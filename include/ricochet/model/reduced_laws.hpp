@@ -22,6 +22,7 @@ public:
   static constexpr bool damped = Model::damped;
   static constexpr bool free_edge = Model::has_crack_law;
   static constexpr bool slides = Model::slides;
+  static constexpr bool sticks_and_slips = Model::sticks_and_slips;
 
   basic_pair<reduced<T>> pair;
   [[no_unique_address]] elastic_type elastic;

@@ -29,7 +29,7 @@ public:
   using laws::tangential;
   static constexpr bool root_coordinate =
       adhesive || needs_root_radius<decltype(Model::elastic)> || needs_root_radius<decltype(Model::damping)>;
-  static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || slides;
+  static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || Model::has_friction;
 
   using coordinate_t = std::conditional_t<root_coordinate, root_contact_radius_t, contact_radius_t>;
   using unknowns = join<variables<coordinate_t, approach_rate_t>, optionally<mutual_approach_t, free_edge>,
