@@ -75,11 +75,10 @@ private:
   T border(std::size_t sticking, const spring& edge, const T& approach) const {
     const spring& in = springs_[sticking];
     const spring& out = sticking + 1 < springs_.size() ? springs_[sticking + 1] : edge;
-    T slope = T(0);
-    if (sticking > 0) {
-      const spring& further_in = springs_[sticking - 1];
-      slope = (in.stretch - further_in.stretch) / (in.approach - further_in.approach);
-    }
+    if (sticking == 0) // nothing to be continued
+      return T(0);
+    const spring& further_in = springs_[sticking - 1];
+    const T slope = (in.stretch - further_in.stretch) / (in.approach - further_in.approach);
     const bool backwards = value_of(out.stretch == T(0) ? in.stretch : out.stretch) < real(0);
     const T held = law_.largest_stretch(approach - in.approach), depth = out.approach - in.approach;
     const T gap = held - (backwards ? T(-in.stretch) : in.stretch);
