@@ -4,6 +4,9 @@
 #include <ricochet/solve/flow.hpp>
 #include <ricochet/solve/spring_bed.hpp>
 
+#include <array>
+#include <utility>
+
 namespace ricochet {
 
 /// Speed and way of the contact point over a bed of springs, by steps of second order (Verlet's).
