@@ -24,8 +24,9 @@ public:
   void touch() { springs_.assign(1, spring{}); }
 
   /// The contact point has moved by `moved` since the last call, and the contact is as it is now.
-  /// \returns force along the surface, against the motion that stretched the springs
-  T force(const part& c, const T& moved) {
+  /// back: how far slipping springs have come back from friction's limit, forwards and backwards, where they began to
+  /// stick within the move; \returns force along the surface, against the motion that stretched the springs
+  T force(const part& c, const T& moved, const T& back_forwards = T(0), const T& back_backwards = T(0)) {
     follow_edge(c);
     if (springs_.empty())
       return T(0);
@@ -34,9 +35,9 @@ public:
     for (std::size_t i = 0; i < springs_.size(); ++i) {
       spring& each = springs_[i];
       const T held = law_.largest_stretch(c.approach - each.approach), free = each.stretch + moved;
-      const real limit = value_of(held);
-      each.stretch = value_of(free) > limit ? held : value_of(free) < -limit ? T(-held) : free;
-      if (abs(value_of(free)) < limit)
+      const T highest = less(held, back_forwards), lowest = -less(held, back_backwards);
+      each.stretch = value_of(free) > value_of(highest) ? highest : value_of(free) < value_of(lowest) ? lowest : free;
+      if (abs(value_of(each.stretch)) < value_of(held))
         sticking = i;
       sum += each.inner * last + each.outer * each.stretch;
       last = each.stretch;
@@ -64,6 +65,8 @@ private:
     if (value_of(c.rate) >= real(0) && !springs_.empty())
       springs_.push_back(after(springs_.back().radius, c));
   }
+
+  static T less(const T& held, const T& back) { return value_of(held) > value_of(back) ? T(held - back) : T(0); }
 
   static spring after(const T& last, const part& edge) {
     const T outer = outer_weight(last, edge.radius);

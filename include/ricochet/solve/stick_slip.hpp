@@ -16,13 +16,15 @@ class stick_slip_motion {
 
 public:
   explicit stick_slip_motion(const Reduced& model)
-      : bed_(model.tangential, model.pair), mass_(T(2) / T(7) * model.pair.reduced_mass) {} // of homogeneous spheres
+      : bed_(model.tangential, model.pair), mass_(T(2) / T(7) * model.pair.reduced_mass), // of homogeneous spheres
+        friction_slope_(model.tangential.largest_stretch(T(1))) {}
 
   /// First touch.
   void start(const T& slip) { slip_ = slip; }
 
   /// The bodies touch, for the first time or after a flight.
-  void touch(const T& time) {
+  void touch(const T& time, const T& rate) {
+    limit_rate_ = friction_slope_ * rate;
     way_ += slip_ * (time - time_);
     time_ = time;
     acceleration_ = T(0);
@@ -32,7 +34,11 @@ public:
   void advance(const configuration<reduced<T>>& c, const T& time) {
     const T dt = time - time_;
     const T moved = (slip_ + acceleration_ * dt / T(2)) * dt;
-    const T before = std::exchange(acceleration_, -bed_.force(c, moved) / mass_);
+    const T slip_now = slip_ + acceleration_ * dt, limit_now = friction_slope_ * c.rate;
+    const T forwards = come_back(slip_ - limit_rate_, slip_now - limit_now, dt);
+    const T backwards = come_back(-slip_ - limit_rate_, -slip_now - limit_now, dt);
+    const T before = std::exchange(acceleration_, -bed_.force(c, moved, forwards, backwards) / mass_);
+    limit_rate_ = limit_now;
     slip_ += (before + acceleration_) * dt / T(2);
     way_ += moved;
     time_ = time;
@@ -43,8 +49,16 @@ public:
   bool sticks() const { return bed_.sticks(); }
 
 private:
+  /// Springs slip while the contact point runs ahead of friction's limit, by this excess of speed. Where it falls below
+  /// zero within the step, they have come back from the limit by this much at its end.
+  static T come_back(const T& excess, const T& excess_now, const T& dt) {
+    if (!(value_of(excess) > 0 && value_of(excess_now) < 0))
+      return T(0);
+    return excess_now * excess_now * dt / (T(2) * (excess - excess_now));
+  }
+
   spring_bed<T, std::remove_cvref_t<decltype(std::declval<Reduced>().tangential)>> bed_;
-  T mass_, slip_ = T(0), way_ = T(0), time_ = T(0), acceleration_ = T(0);
+  T mass_, friction_slope_, limit_rate_ = T(0), slip_ = T(0), way_ = T(0), time_ = T(0), acceleration_ = T(0);
 };
 
 /// Watches a collision step by step for the motion along its surface; where no law of the model sticks and slips, it is
@@ -71,7 +85,7 @@ requires Reduced::sticks_and_slips class stick_slip<Reduced> {
 public:
   /// tolerance: of the steps. The cost goes as springs^2: the error is let go as tolerance^(2/3).
   stick_slip(const Reduced& model, const real& tolerance)
-      : springs_(min<real>(real(1.3f) * exp(-log(tolerance) / 3), real(4096))),
+      : springs_(min<real>(exp(-log(tolerance) / 3), real(4096))),
         longest_part_(model.typical_time() / springs_), motions_{motion(model), motion(model), motion(model)} {}
 
   void start(const T& slip) {
@@ -82,7 +96,7 @@ public:
 
   void touched(const state_type& x) {
     for (motion& each : motions_)
-      each.touch(x[elapsed_time]);
+      each.touch(x[elapsed_time], x[approach_rate]);
   }
 
   /// A step of size h of the normal motion has led from x to `reached`.
@@ -112,7 +126,7 @@ public:
   }
 
 private:
-  static constexpr real usual_error = real(0.1f);
+  static constexpr real usual_error = real(0.03f);
 
   real springs_, longest_part_, first_slip_ = 0;
   std::array<motion, 3> motions_;
