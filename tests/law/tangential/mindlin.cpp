@@ -37,4 +37,5 @@ BOOST_AUTO_TEST_CASE(wrong_parameters_are_refused) {
   const auto pair = between(sphere{materials::steel, 1 * millimetres}, flat_wall{materials::steel});
   BOOST_CHECK_THROW(compose(pair, hertz{}, mindlin{.friction_coefficient = -0.1, .stiffness_ratio = 0.8}), bad_input);
   BOOST_CHECK_THROW(compose(pair, hertz{}, mindlin{.friction_coefficient = 0.1}), bad_input); // of no stiffness
+  BOOST_CHECK_THROW(compose(pair, hertz{}, mindlin{.friction_coefficient = 0.1, .stiffness_ratio = 11}), bad_input);
 }
