@@ -18,6 +18,8 @@ struct scene {
   Model model;
   ricochet::impact impact;
 };
+template <class Model>
+scene(Model, impact) -> scene<Model>;
 
 /// tolerance, max_evaluations: as in collide_options. threads: 0 takes as many as the machine has. progress: told now
 /// and then, by one thread at a time, how many collisions are done, and of how many.

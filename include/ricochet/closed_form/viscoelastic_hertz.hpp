@@ -1,6 +1,7 @@
 // Impact of viscoelastic spheres (Kuwabara & Kono) where the damping is weak.
 #pragma once
 #include <ricochet/closed_form/hertz.hpp>
+#include <ricochet/closed_form/viscoelastic_hertz_table.hpp>
 
 namespace ricochet::closed_form {
 
@@ -44,6 +45,29 @@ inline double restitution_series_to_zero_overlap(double y) {
   require("damping_number", y, range{.high = 0.5, .high_included = true});
   const double c1 = detail::weak_damping_slope();
   return 1 + y * (-c1 + y * (0.6 * c1 * c1 + y * (-0.5228825681 + y * 0.34874267)));
+}
+
+/// Largest damping numbers of the two functions below.
+inline constexpr double largest_damping_number_to_zero_force = detail::viscoelastic_hertz_to_zero_force.last;
+inline constexpr double largest_damping_number_to_zero_overlap = detail::viscoelastic_hertz_to_zero_overlap.last;
+
+/// Restitution of a contact that ends where the force vanishes, at any damping.
+/// Chebyshev series of the solution; error below 1e-15
+/// y: damping_number(), dimensionless, in [0, 64]; there e = 0.00127.
+/// Valid without adhesion.
+/// Source: the equation of Kuwabara & Kono 1987 as Krijt 2013 (19), solved by tests/tables/viscoelastic_hertz.cpp.
+inline double viscoelastic_restitution_to_zero_force(double y) {
+  require("damping_number", y, range{.high = largest_damping_number_to_zero_force, .high_included = true});
+  return detail::viscoelastic_hertz_to_zero_force(y);
+}
+
+/// Restitution of a contact that ends where the overlap vanishes, at any damping.
+/// Chebyshev series of the solution; error below 1e-15
+/// y: damping_number(), dimensionless, in [0, 16]; there e = 4.9e-6.
+/// Valid without adhesion. Source: as viscoelastic_restitution_to_zero_force().
+inline double viscoelastic_restitution_to_zero_overlap(double y) {
+  require("damping_number", y, range{.high = largest_damping_number_to_zero_overlap, .high_included = true});
+  return detail::viscoelastic_hertz_to_zero_overlap(y);
 }
 
 } // namespace ricochet::closed_form
