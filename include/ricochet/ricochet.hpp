@@ -5,6 +5,7 @@
 #include <ricochet/collide.hpp>
 
 #include <ricochet/law/elastic/hertz.hpp>
+#include <ricochet/law/elastic/linear.hpp>
 
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
@@ -15,6 +16,7 @@
 
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
+#include <ricochet/law/damping/linear_dashpot.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 
 #include <ricochet/law/tangential/coulomb.hpp>
@@ -27,6 +29,7 @@
 #include <ricochet/closed_form/hunt_crossley.hpp>
 #include <ricochet/closed_form/independent_losses.hpp>
 #include <ricochet/closed_form/jkr.hpp>
+#include <ricochet/closed_form/linear.hpp>
 #include <ricochet/closed_form/regime.hpp>
 #include <ricochet/closed_form/rigid_body.hpp>
 #include <ricochet/closed_form/thornton_ning.hpp>

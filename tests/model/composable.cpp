@@ -4,6 +4,9 @@
 
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/line_force.hpp>
+#include <ricochet/law/damping/linear_dashpot.hpp>
+#include <ricochet/law/elastic/linear.hpp>
+#include <ricochet/law/plasticity/thornton_ning.hpp>
 
 using namespace support;
 
@@ -43,7 +46,11 @@ static_assert(composable<hertz, line_force, hunt_crossley> && composable<dmt, he
 static_assert(!composable<hertz, line_force, greenwood> && !composable<hertz, dmt, a> && !composable<hertz, dmt, jkr>);
 static_assert(!composable<hertz, jkr, greenwood, greenwood_fit> && !composable<hertz, jkr, jkr>);
 static_assert(!composable<hertz, end_at_zero_force, end_at_zero_overlap>);
+static_assert(composable<linear> && composable<linear, linear_dashpot, a> && composable<hertz, jkr, linear_dashpot>);
+static_assert(composable<linear, dmt, tsuji> && composable<linear, line_force> && !composable<linear, hertz>);
+static_assert(!composable<linear, jkr> && !composable<linear, jkr, greenwood> && !composable<linear, thornton_ning>);
 
+static_assert(count_roles<linear>().edgeless == 1 && count_roles<hertz, jkr>().edgeless == 0);
 static_assert(count_roles<jkr, hertz, tsuji, extremes>().adhesion == 1);
 static_assert(count_roles<jkr, hertz, tsuji, extremes>().crack == 0);
 static_assert(count_roles<greenwood, greenwood_fit>().crack == 2);

@@ -7,8 +7,10 @@
 #include <ricochet/law/crack/greenwood_fit.hpp>
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
+#include <ricochet/law/damping/linear_dashpot.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
+#include <ricochet/law/elastic/linear.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
 
 #include <vector>
@@ -67,6 +69,10 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
                         hertz_law<S>::energy_release_rate(pair, c),
                         hertz_law<S>::load_free_approach(pair, c.radius),
                         hertz_law<S>::load_free_slope(pair, c.radius),
+                        linear_law<S>{x.modulus}.force(pair, c),
+                        linear_law<S>{x.modulus}.stored_energy(pair, c),
+                        linear_law<S>::load_free_approach(pair, c.radius),
+                        linear_law<S>::load_free_slope(pair, c.radius),
                         adhesion.surface_energy(c.radius),
                         adhesion.flattening(pair),
                         adhesion.pull_off_force(pair),
@@ -80,7 +86,8 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
                         exact.speed_scale(pair, x.work_of_adhesion),
                         kuwabara_kono_law<S>{T(0.375)}.coefficient(pair, c),
                         hunt_crossley_law<S>{T(0.25)}.coefficient(pair, c),
-                        tsuji_law<S>{T(0.5)}.coefficient(pair, c)};
+                        tsuji_law<S>{T(0.5)}.coefficient(pair, c),
+                        linear_dashpot_law<S>{x.mass}.coefficient(pair, c)};
   const auto put = [&](const edge_rate<T>& edge) { values.insert(values.end(), {edge.advance, edge.slowness}); };
   for (int piece = 0; piece < 4; ++piece)
     put(fit.rate(x.root_ratio, piece));

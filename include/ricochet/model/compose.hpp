@@ -127,6 +127,11 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert(n.crack == 0 || n.adhesion != n.attraction,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
   static_assert(
+      n.edgeless == 0 || n.adhesion == n.attraction,
+      "an adhesion law with a surface energy needs an elastic law with an edge: take hertz, or dmt or line_force");
+  static_assert(n.edgeless == 0 || n.plasticity == 0,
+                "plastic flow is added to Hertzian contacts only: drop the plasticity law or take hertz");
+  static_assert(
       n.end == 0 || n.adhesion == 0,
       "an end condition is only for contacts without adhesion: with adhesion the contact lets go where it tears");
   if constexpr (composable<Arguments...>) {

@@ -16,7 +16,7 @@ namespace ricochet {
 struct regime_report {
   bool uses_jkr = false, uses_dmt = false;
   double speed_over_sound = 0;              ///< of the impact over sqrt(E*/density) of the softer-sounding body
-  double strain = 0;                        ///< largest Hertzian contact radius over R
+  double strain = 0;                        ///< largest contact radius without adhesion and losses, over R
   std::optional<double> tabor_number;       ///< JKR above 5, DMT below 0.1
   std::optional<double> speed_over_capture; ///< over the sticking speed of JKR without other losses
   std::optional<double> speed_over_yield;   ///< over the yield speed of the model's plasticity law
@@ -73,7 +73,12 @@ regime_report regime_of(const Model& model, speed v, length interaction_range = 
   if (!std::isinf(in_si(pair.bodies.radius_2)))
     slowest = std::min(slowest, sound(pair.bodies.mass_2, pair.bodies.radius_2));
   r.speed_over_sound = in_si(v) / slowest;
-  const length radius = closed_form::max_contact_radius(pair, v);
+  const length radius = [&] {
+    if constexpr (requires { model.elastic.max_approach(pair, v); })
+      return length(sqrt(pair.reduced_radius * model.elastic.max_approach(pair, v)));
+    else
+      return closed_form::max_contact_radius(pair, v);
+  }();
   r.strain = radius / pair.reduced_radius;
   const duration time = closed_form::contact_time(pair, v);
 
