@@ -5,6 +5,7 @@
 #include <ricochet/law/adhesion/line_force.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
+#include <ricochet/law/crack/maugis_barquins.hpp>
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/linear_dashpot.hpp>
@@ -64,6 +65,7 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
   const line_force_law<S> ring{x.work_of_adhesion, T(0.25)};
   const greenwood_law<S> exact{T(1), T(1) / T(50), T(1), T(1.0078125), shared_table()};
   const greenwood_fit_law<S> fit{T(1), T(1) / T(50), T(1), T(1.0078125)};
+  const maugis_barquins_law<S> power{x.modulus, T(0.625)};
   std::vector<T> values{hertz_law<S>::force(pair, c),
                         hertz_law<S>::stored_energy(pair, c),
                         hertz_law<S>::energy_release_rate(pair, c),
@@ -93,6 +95,7 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
     put(fit.rate(x.root_ratio, piece));
   put(rate_anywhere<T>(fit, x.root_ratio));
   put(rate_anywhere<T>(exact, x.root_ratio));
+  put(power.rate(x.root_ratio, 0));
   return values;
 }
 

@@ -25,9 +25,8 @@ consteval bool diagnose() {
                   "(law/adhesion/adhesion_law.hpp); or, of a force without an edge, attraction, potential_energy, "
                   "rebound_damping or equivalent_work_of_adhesion (law/adhesion/attraction_law.hpp)");
   if constexpr (plays<L, role::crack>)
-    static_assert(crack_velocity_law<L>,
-                  "crack-velocity law: joints, speed_scale, first_ratio, rate or relaxation_time is "
-                  "missing or returns another type (law/crack/crack_velocity_law.hpp)");
+    static_assert(crack_velocity_law<L>, "crack-velocity law: joints, speed_scale, first_ratio or rate is "
+                                         "missing or returns another type (law/crack/crack_velocity_law.hpp)");
   if constexpr (plays<L, role::damping>)
     static_assert(bulk_damping_law<L>,
                   "bulk damping law: coefficient(pair, configuration) is missing or returns another "

@@ -152,6 +152,15 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
   return out;
 }
 
+/// An edge of infinite speed, or of no energy, is a static one.
+template <class Model>
+bool edge_is_static(const Model& model) {
+  if constexpr (requires { model.crack.relaxation_time; })
+    if (in_si(model.crack.relaxation_time) == 0)
+      return true;
+  return in_si(model.adhesion.work_of_adhesion) == 0;
+}
+
 template <class Model>
 void admit(const impact& impact, const collide_options& options) {
   require("speed", impact.speed, positive);
@@ -173,8 +182,8 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
     return detail::with_plastic_loss(model, impact.speed,
                                      integrate(model.without_plasticity(), impact, options, Stepper{}));
   else {
-    if constexpr (Model::has_crack_law) // an edge of infinite speed, or of no energy, is a static one
-      if (in_si(model.crack.relaxation_time) == 0 || in_si(model.adhesion.work_of_adhesion) == 0)
+    if constexpr (Model::has_crack_law)
+      if (detail::edge_is_static(model))
         return integrate(model.with_static_edge(), impact, options, Stepper{});
     const scales unit = model.scales_at(impact.speed);
     const reduced_model<double, Model> numbers(model, unit);

@@ -90,7 +90,7 @@ regime_report regime_of(const Model& model, speed v, length interaction_range = 
     if (in_si(w) > 0) {
       r.speed_over_capture = v / closed_form::sticking_speed(pair, w);
       length z0 = interaction_range;
-      if constexpr (Model::has_crack_law) {
+      if constexpr (requires { model.crack.interaction_range; }) {
         z0 = model.crack.interaction_range;
         const duration relaxation = model.crack.relaxation_time;
         r.edge_loss_scale = relaxation / closed_form::quasi_static_edge_limit(pair, w, z0, radius, time);
