@@ -32,7 +32,7 @@ outcome solve_with(const scene& scene, double tolerance, damped_by<Damping...>) 
       const auto* friction = std::get_if<ricochet::coulomb>(&scene.tangential);
       const auto model =
           ricochet::compose(scene.pair, laws..., friction ? *friction : ricochet::coulomb{}, ricochet::energy_ledger{},
-                            ricochet::contact_duration{}, ricochet::extremes{});
+                            ricochet::contact_duration{}, ricochet::extremes{}, ricochet::regime_warnings{});
       const auto out = ricochet::collide(
           model,
           ricochet::oblique_impact{

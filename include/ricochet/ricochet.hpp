@@ -38,11 +38,11 @@
 #include <ricochet/closed_form/viscoelastic_hertz.hpp>
 
 #include <ricochet/model/physical_system.hpp>
+#include <ricochet/model/regime.hpp>
 
 #include <ricochet/solve/oblique.hpp>
 #include <ricochet/solve/steppers.hpp>
 
-#include <ricochet/study/regime.hpp>
 #include <ricochet/study/sweep.hpp>
 #include <ricochet/study/table.hpp>
 #include <ricochet/study/threshold.hpp>

@@ -155,7 +155,8 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     constexpr requests asked{.ledger = detail::names<energy_ledger, Arguments...>,
                              .duration = detail::names<contact_duration, Arguments...>,
                              .extremes = detail::names<extremes, Arguments...>,
-                             .trajectory = detail::names<trajectory, Arguments...>};
+                             .trajectory = detail::names<trajectory, Arguments...>,
+                             .warnings = detail::names<regime_warnings, Arguments...>};
     return contact_model<decltype(elastic), decltype(adhesion), decltype(crack), decltype(damping),
                          decltype(tangential), decltype(plasticity), std::remove_const_t<decltype(end)>, asked>{
         pair, elastic, adhesion, crack, damping, tangential, plasticity};

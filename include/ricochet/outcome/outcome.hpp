@@ -75,6 +75,11 @@ struct trajectory_result {
   trajectory_columns<std::vector<double>> trajectory;
 };
 
+/// One sentence for each law used outside its range.
+struct warnings_result {
+  std::vector<std::string> warnings;
+};
+
 namespace detail {
 template <int>
 struct nothing {};
@@ -88,7 +93,8 @@ struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.duration, duration_result<Duration>, 1>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
                        detail::part<Asked.trajectory, trajectory_result, 3>,
-                       detail::part<Slides, sliding_result<Speed, Length, Duration>, 4> {
+                       detail::part<Slides, sliding_result<Speed, Length, Duration>, 4>,
+                       detail::part<Asked.warnings, warnings_result, 5> {
   ricochet::ending ending = ricochet::ending::failed;
   std::optional<T> restitution;  ///< of the final separation; absent when the bodies did not separate
   bool ending_is_certain = true; ///< false so near a threshold that the error bound does not decide
