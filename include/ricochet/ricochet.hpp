@@ -31,6 +31,7 @@
 #include <ricochet/closed_form/independent_losses.hpp>
 #include <ricochet/closed_form/jkr.hpp>
 #include <ricochet/closed_form/linear.hpp>
+#include <ricochet/closed_form/maugis_dugdale.hpp>
 #include <ricochet/closed_form/regime.hpp>
 #include <ricochet/closed_form/rigid_body.hpp>
 #include <ricochet/closed_form/thornton_ning.hpp>
