@@ -50,6 +50,14 @@ T pi() {
   return number_traits<T>::pi();
 }
 
+/// How a number that stays the same during a collision is held: as itself, or with what makes dividing by it cheap.
+template <class T>
+struct constant_traits {
+  using type = T;
+};
+template <class T>
+using constant = typename constant_traits<T>::type;
+
 /// `condition ? yes() : no()`. A pack evaluates both sides and blends: clamp arguments first, so that neither
 /// side makes a NaN.
 template <class T, class Yes, class No>

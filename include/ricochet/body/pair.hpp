@@ -13,9 +13,9 @@ struct two_bodies {
 /// 1/E* = sum (1-nu_i^2)/E_i, 1/R = sum 1/R_i, 1/m* = sum 1/m_i.
 template <class S>
 struct basic_pair {
-  typename S::modulus reduced_modulus; ///< E*; the relaxed (slow) one where a crack law is present
-  typename S::length reduced_radius;   ///< R
-  typename S::mass reduced_mass;       ///< m*
+  constant<typename S::modulus> reduced_modulus; ///< E*; the relaxed (slow) one where a crack law is present
+  constant<typename S::length> reduced_radius;   ///< R
+  constant<typename S::mass> reduced_mass;       ///< m*
   /// Not in the loop: spin and motion along the surface follow from the sliding of the contact point.
   struct nothing {};
   [[no_unique_address]] std::conditional_t<std::same_as<S, dimensional>, two_bodies, nothing> bodies{};

@@ -51,16 +51,22 @@ inline constexpr bool needs_root_radius = requires {
   requires L::uses_root_radius;
 };
 
+/// f(parameter of `to`, parameter of `from`) for every parameter of one law in two number systems.
+template <class To, class From, class Function>
+void for_each_parameter(To& to, const From& from, const Function& f) {
+  const auto here = To::parameters();
+  const auto there = From::parameters();
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (f(to.*(std::get<I>(here).member), from.*(std::get<I>(there).member)), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(here)>>{});
+}
+
 /// The same law in another number system, every parameter passed through `convert`.
 template <class NumberSystem, class Law, class Convert>
 auto rebind_law(const Law& law, const Convert& convert) {
   typename Law::template in<NumberSystem> result{};
-  const auto from = Law::parameters();
-  const auto to = decltype(result)::parameters();
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    ((result.*(std::get<I>(to).member) = convert(law.*(std::get<I>(from).member))), ...);
-  }
-  (std::make_index_sequence<std::tuple_size_v<decltype(from)>>{});
+  for_each_parameter(result, law, [&](auto& to, const auto& from) { to = convert(from); });
   if constexpr (requires { result.table = law.table; })
     result.table = law.table;
   return result;

@@ -40,6 +40,26 @@ public:
         crack(rebind_law<reduced<T>>(source.crack, convert)), damping(rebind_law<reduced<T>>(source.damping, convert)),
         tangential(rebind_law<reduced<T>>(source.tangential, convert)) {}
 
+  /// f(law, its like in `other`) for every law; `other` is a model or its laws in another scalar type.
+  template <class Other, class Function>
+  void for_each_law(const Other& other, const Function& f) {
+    f(elastic, other.elastic);
+    f(adhesion, other.adhesion);
+    f(crack, other.crack);
+    f(damping, other.damping);
+    f(tangential, other.tangential);
+  }
+
+  /// Scales of an impact at this speed, of laws in SI.
+  basic_scales<T> scales_at(const T& v) const {
+    if constexpr (adhesive)
+      return scales_of<T>(pair, v, adhesion.work_of_adhesion);
+    else if constexpr (attracted)
+      return scales_of<T>(pair, v, adhesion.equivalent_work_of_adhesion(pair));
+    else
+      return scales_of<T>(pair, v, T(0));
+  }
+
   /// Force of the bulk damping law.
   T damping_force(const configuration<reduced<T>>& c) const {
     if constexpr (damped)

@@ -44,6 +44,8 @@ public:
     prepare();
   }
 
+  explicit reduced_model(const laws& in_scales) : laws(in_scales) { prepare(); }
+
   /// The same numbers in another scalar type.
   template <class Other>
   explicit reduced_model(const reduced_model<Other, Model>& numbers)

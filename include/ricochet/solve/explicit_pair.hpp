@@ -54,11 +54,19 @@ protected:
   template <class Weights, std::size_t... j>
   void add(Weights, State& x, const Real& h, std::index_sequence<j...>) const {
     static constexpr coefficients weight = Weights{}();
+    static constexpr std::size_t first = first_nonzero(weight);
     for (std::size_t i = 0; i < x.size(); ++i) {
-      auto sum = x[i] - x[i];
-      ((weight[j] == 0 ? void() : void(sum += static_cast<Real>(weight[j]) * slopes_[j][i])), ...);
+      auto sum = static_cast<Real>(weight[first]) * slopes_[first][i];
+      ((j <= first || weight[j] == 0 ? void() : void(sum += static_cast<Real>(weight[j]) * slopes_[j][i])), ...);
       x[i] += h * sum;
     }
+  }
+
+  static constexpr std::size_t first_nonzero(const coefficients& weight) {
+    std::size_t first = 0;
+    while (weight[first] == 0)
+      ++first;
+    return first;
   }
 
 private:

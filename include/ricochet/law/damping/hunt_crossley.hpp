@@ -21,8 +21,8 @@ struct hunt_crossley_law {
   }
 
   typename S::damping coefficient(const basic_pair<S>& pair, const configuration<S>& c) const {
-    return damping_coefficient * (number(4) * pair.reduced_modulus / number(3)) * c.radius * c.radius * c.radius /
-           pair.reduced_radius;
+    return number(4) / number(3) * damping_coefficient * pair.reduced_modulus * c.radius * c.radius *
+           (c.radius / pair.reduced_radius);
   }
 };
 using hunt_crossley = hunt_crossley_law<dimensional>;

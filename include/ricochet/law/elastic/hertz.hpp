@@ -18,14 +18,14 @@ struct hertz_law {
   static constexpr auto parameters() { return std::tuple{}; }
 
   static typename S::force force(const basic_pair<S>& pair, const configuration<S>& c) {
-    return number(2) * pair.reduced_modulus * c.radius *
-           (number(3) * c.approach - c.radius * c.radius / pair.reduced_radius) / number(3);
+    const typename S::length flat = c.radius * c.radius / pair.reduced_radius; // a^2/R
+    return number(2) * pair.reduced_modulus * c.radius * (c.approach - number(1) / number(3) * flat);
   }
 
   static typename S::energy stored_energy(const basic_pair<S>& pair, const configuration<S>& c) {
     const typename S::length flat = c.radius * c.radius / pair.reduced_radius; // a^2/R
     return pair.reduced_modulus * c.radius *
-           (c.approach * c.approach - number(2) * c.approach * flat / number(3) + flat * flat / number(5));
+           (c.approach * c.approach - number(2) / number(3) * c.approach * flat + number(1) / number(5) * flat * flat);
   }
 
   static typename S::energy_per_area energy_release_rate(const basic_pair<S>& pair, const configuration<S>& c) {

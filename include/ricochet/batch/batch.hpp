@@ -1,0 +1,197 @@
+// Many collisions at once: side by side in the lanes of SIMD registers, on as many threads as wanted.
+#pragma once
+#include <ricochet/batch/lane_solver.hpp>
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <numeric>
+#include <span>
+#include <thread>
+
+namespace ricochet {
+
+/// One collision of a batch in which the bodies or the laws' parameters differ.
+template <class Model>
+struct scene {
+  Model model;
+  ricochet::impact impact;
+};
+
+/// tolerance, max_evaluations: as in collide_options. threads: 0 takes as many as the machine has. progress: told now
+/// and then, by one thread at a time, how many collisions are done, and of how many.
+struct batch_options {
+  double tolerance = 1e-8;
+  long max_evaluations = 3'000'000;
+  unsigned threads = 0;
+  std::function<void(std::size_t done, std::size_t of)> progress = {};
+};
+
+namespace detail {
+
+using batch_lanes = lanes<xsimd::batch<double>, 2>;
+
+/// Step tolerance, in units of the speed, for a wanted error of the restitution: the steps' own estimate goes as the
+/// sixth power of the step, the error of a whole collision as the seventh.
+inline double lane_tolerance(double wanted) { return std::min(1.4 * std::pow(wanted, 6. / 7), 1.5e-4); }
+/// Error of a collision's energy to be reckoned with, unless found larger, in units of the kinetic one.
+inline double usual_lane_error(double tolerance) { return 0.1 * std::pow(tolerance, 7. / 6); }
+
+/// Outcome from two solutions at step tolerances `tolerance` and a quarter of it, both in units of the speed; none
+/// where they do not tell the outcome to the tolerance wanted.
+template <class Model>
+std::optional<outcome_of<Model>> outcome_of_lanes(const lane_solution& rough, const lane_solution& fine,
+                                                  double tolerance, double wanted, int evaluations_a_step) {
+  if (rough.fate != fine.fate || fine.fate == lane_fate::set_aside)
+    return std::nullopt;
+  const double round_off = (16 + fine.steps / 5) * std::numeric_limits<double>::epsilon() * fine.largest_energy;
+  const double energy_error = std::max(std::abs(fine.excess - rough.excess), usual_lane_error(tolerance));
+  outcome_of<Model> out;
+  out.evaluations = (rough.steps + fine.steps) * evaluations_a_step;
+  if (fine.fate == lane_fate::captured) { // the solutions were looked at at different instants
+    if (!(-fine.excess > 100 * (tolerance + round_off) && -rough.excess > 100 * (tolerance + round_off)))
+      return std::nullopt;
+    out.ending = ending::captured;
+    return out;
+  }
+  out.ending = ending::separated;
+  const double e = std::min(1., fine.restitution);
+  out.restitution = e;
+  out.error_estimate = std::min((energy_error + round_off) / e, std::sqrt(energy_error + round_off));
+  if (!(out.error_estimate <= wanted && e > 2 * out.error_estimate))
+    return std::nullopt;
+  return out;
+}
+
+/// A part of a batch, small enough to stay in the cache, whose collisions are solved twice each.
+template <class Model>
+class batch_part {
+  using solver = lane_solver<Model, batch_lanes>;
+
+public:
+  static constexpr std::size_t size = 256;
+
+  explicit batch_part(const Model& model) : lanes_(model) {}
+
+  /// `scene_of(i)` gives collision i < count, `alone(i)` its outcome by other means. Those that lanes do not resolve at
+  /// a step tolerance are tried at a smaller one, and then are left alone.
+  template <class SceneOf, class Alone>
+  void solve(std::size_t count, double wanted, const SceneOf& scene_of, const Alone& alone,
+             outcome_of<Model>* outcomes) {
+    std::iota(open_.begin(), open_.begin() + std::ptrdiff_t(count), std::size_t(0));
+    double tolerance = lane_tolerance(wanted);
+    for (int round = 0; round < 2 && count > 0; ++round, tolerance /= 64) {
+      lanes_.solve(
+          2 * count,
+          [&](std::size_t i) {
+            const auto& [model, impact] = scene_of(open_[i / 2]);
+            return lane_task<Model>{laws_in_si<double>(model), in_si(impact.speed), i % 2 ? tolerance / 4 : tolerance};
+          },
+          [&](std::size_t i, const lane_solution& solution) { solutions_[i] = solution; });
+      std::size_t left = 0;
+      for (std::size_t i = 0; i < count; ++i)
+        if (auto out = outcome_of_lanes<Model>(solutions_[2 * i], solutions_[2 * i + 1], tolerance, wanted,
+                                               solver::evaluations_a_step))
+          outcomes[open_[i]] = std::move(*out);
+        else
+          open_[left++] = open_[i];
+      count = left;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      outcomes[open_[i]] = alone(open_[i]);
+  }
+
+private:
+  solver lanes_;
+  std::array<lane_solution, 2 * size> solutions_;
+  std::array<std::size_t, size> open_;
+};
+
+/// work(first, last) for parts of the numbers below `count`, on as many threads as wanted.
+template <class Work>
+void share(std::size_t count, std::size_t part, const batch_options& options, const Work& work) {
+  std::atomic<std::size_t> next = 0;
+  std::size_t done = 0;
+  std::exception_ptr failure;
+  std::mutex telling;
+  const auto run = [&] {
+    for (std::size_t first; (first = next.fetch_add(part)) < count;) {
+      const std::size_t last = std::min(first + part, count);
+      try {
+        work(first, last);
+        if (options.progress) {
+          const std::lock_guard lock(telling);
+          options.progress(done += last - first, count);
+        }
+      } catch (...) {
+        const std::lock_guard lock(telling);
+        failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  const std::size_t wanted = options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(wanted, (count + part - 1) / part); ++i)
+      others.emplace_back(run);
+    run();
+  }
+  if (failure)
+    std::rethrow_exception(failure);
+}
+
+template <class Model, class SceneOf>
+std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_options& options, const SceneOf& scene_of) {
+  const collide_options alone{.tolerance = options.tolerance, .max_evaluations = options.max_evaluations};
+  for (std::size_t i = 0; i < count; ++i)
+    try {
+      admit<Model>(scene_of(i).impact, alone);
+    } catch (const bad_input& e) {
+      throw bad_input("impact " + std::to_string(i) + ": " + e.what());
+    }
+  std::vector<outcome_of<Model>> outcomes(count);
+  if constexpr (runs_in_lanes<Model> && !closed_form::solved<Model>)
+    share(count, batch_part<Model>::size, options, [&](std::size_t first, std::size_t last) {
+      batch_part<Model> part(scene_of(first).model);
+      part.solve(
+          last - first, options.tolerance, [&](std::size_t i) -> decltype(auto) { return scene_of(first + i); },
+          [&](std::size_t i) { return integrate(scene_of(first + i).model, scene_of(first + i).impact, alone); },
+          outcomes.data() + first);
+    });
+  else
+    share(count, 16, options, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        outcomes[i] = ricochet::collide(scene_of(i).model, scene_of(i).impact, alone);
+    });
+  return outcomes;
+}
+
+} // namespace detail
+
+/// What comes of these impacts, in their order. An outcome is the same to the last bit in whatever company, order and
+/// number of threads it is computed, and agrees with collide() of the lone impact within the tolerance.
+/// \throws bad_input as collide(), before anything is computed; and whatever options.progress throws.
+template <class Model>
+std::vector<outcome_of<Model>> collide(const Model& model, std::span<const impact> impacts,
+                                       const batch_options& options = {}) {
+  struct view {
+    const Model& model;
+    const ricochet::impact& impact;
+  };
+  return detail::collide_all<Model>(impacts.size(), options, [&](std::size_t i) { return view{model, impacts[i]}; });
+}
+
+/// The same where the bodies or the laws' parameters differ.
+template <class Model>
+std::vector<outcome_of<Model>> collide(std::span<const scene<Model>> scenes, const batch_options& options = {}) {
+  return detail::collide_all<Model>(scenes.size(), options,
+                                    [&](std::size_t i) -> const scene<Model>& { return scenes[i]; });
+}
+template <class Model>
+std::vector<outcome_of<Model>> collide(const std::vector<scene<Model>>& scenes, const batch_options& options = {}) {
+  return collide(std::span<const scene<Model>>(scenes), options);
+}
+
+} // namespace ricochet
