@@ -40,11 +40,17 @@ struct linear_law {
     return number(2) * radius / pair.reduced_radius;
   }
 
-  /// Those of the spring, at the larger of v and the speed that a pull of w R gives it.
-  scales scales_of_impact(const contact_pair& pair, speed v,
-                          energy_per_area w) const requires std::same_as<S, dimensional> {
-    const double k = in_si(stiffness), m = in_si(pair.reduced_mass), time = std::sqrt(m / k);
-    const double fastest = std::max(in_si(v), in_si(w) * in_si(pair.reduced_radius) * time / m);
+  /// Those of the spring, in SI, at the larger of v and the speed that a pull of w R gives it.
+  basic_scales<number> scales_of_impact(const basic_pair<S>& pair, const typename S::speed& v,
+                                        const typename S::energy_per_area& w) const {
+    const auto plain = [](const auto& quantity) {
+      if constexpr (std::same_as<S, dimensional>)
+        return in_si(quantity);
+      else
+        return number(quantity);
+    };
+    const number m = plain(pair.reduced_mass), time = sqrt(m / plain(stiffness));
+    const number fastest = max(plain(v), number(plain(w) * plain(pair.reduced_radius) * time / m));
     return {.length = fastest * time, .duration = time, .mass = m};
   }
 
