@@ -36,6 +36,7 @@ LAWS for the column model
   kuwabara_kono, hunt_crossley, tsuji
                              damping in the bulk; one of them
   coulomb                    friction of oblique impacts and spinning bodies
+  thornton_ning              plastic flow, its loss added to those of the motion; not with coulomb
   end_at_zero_force, end_at_zero_overlap
                              where a contact without adhesion ends; at zero force if none is named
 

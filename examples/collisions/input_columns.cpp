@@ -18,7 +18,7 @@ struct input_column {
   const char* needed_by;
 };
 
-constexpr std::array<input_column, 25> columns{{
+constexpr std::array<input_column, 26> columns{{
     {"model", "", "every collision: law names joined by +, in any order"},
     {"radius_1", "m", "every collision"},
     {"radius_2", "m", "every collision; inf is a flat wall"},
@@ -44,6 +44,7 @@ constexpr std::array<input_column, 25> columns{{
     {"zeta_h", "1", "hunt_crossley: Brach and Dunn's damping ratio, likewise"},
     {"tsuji_coefficient", "1", "tsuji"},
     {"friction", "1", "coulomb: coefficient of friction"},
+    {"yield_strength", "Pa", "thornton_ning: of the weaker body"},
 }};
 
 /// How many letters are to be put in, left out or changed, whatever their case.

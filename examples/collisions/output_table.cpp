@@ -60,6 +60,8 @@ constexpr std::array<output_column, 26> columns{{
     {"crack_loss", "1", "lost at the contact's edge, fraction of the initial kinetic energy, jumps included",
      [](const outcome& out) { return text(out.crack_loss); }},
     {"bulk_loss", "1", "lost in the bulk, likewise", [](const outcome& out) { return text(out.bulk_loss); }},
+    {"plastic_loss", "1", "taken by plastic flow, likewise; blank without thornton_ning",
+     [](const outcome& out) { return text(out.plastic_loss); }},
     {"ledger_residual", "1", "what the energy balance leaves unexplained, over the largest energy met",
      [](const outcome& out) { return text(out.ledger_residual); }},
     {"error_estimate", "1", "bound of the error of the restitution",

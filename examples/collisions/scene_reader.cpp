@@ -88,7 +88,7 @@ constexpr known_law law_in(std::string_view name) {
           [](scene& scene, const row& row, std::string_view self) { scene.*Role = read_law<Law>(row, scene, self); }};
 }
 
-constexpr std::array<known_law, 12> laws{{
+constexpr std::array<known_law, 13> laws{{
     law_in<ricochet::hertz, &scene::elastic>("hertz"),
     law_in<ricochet::jkr, &scene::adhesion>("jkr"),
     law_in<ricochet::line_force, &scene::adhesion>("line_force"),
@@ -99,6 +99,7 @@ constexpr std::array<known_law, 12> laws{{
     law_in<ricochet::hunt_crossley, &scene::damping>("hunt_crossley"),
     law_in<ricochet::tsuji, &scene::damping>("tsuji"),
     law_in<ricochet::coulomb, &scene::tangential>("coulomb"),
+    law_in<ricochet::thornton_ning, &scene::plasticity>("thornton_ning"),
     {"end_at_zero_force", ricochet::count_roles<ricochet::end_at_zero_force>(),
      [](scene&, const row&, std::string_view) {}}, // is the default
     law_in<ricochet::end_at_zero_overlap, &scene::end>("end_at_zero_overlap"),
@@ -131,6 +132,8 @@ void add(ricochet::role_count& sum, const ricochet::role_count& n) {
   sum.end += n.end;
   sum.attraction += n.attraction;
   sum.tangential += n.tangential;
+  sum.plasticity += n.plasticity;
+  sum.flow += n.flow;
 }
 
 /// The laws named, which go together.

@@ -25,9 +25,10 @@ struct friction_outcome {
   double impulse_ratio, friction_loss, rotation_1, rotation_2, normal_turn;
 };
 
-/// Of the motion along the normal, and of friction where the scene has a tangential law.
+/// Of the motion along the normal, and of friction and plastic flow where the scene has a law for them.
 struct outcome : normal_outcome {
   std::optional<friction_outcome> friction;
+  std::optional<double> plastic_loss;
 };
 
 // One for each stepper, each compiled in a file of its own: stepper_*.cpp.

@@ -1,5 +1,6 @@
 // The composition of a scene's laws: walks the roles once and composes what is there. Friction is in every model, with
 // a coefficient of zero where the scene has none: it then changes nothing, and only half the models are to be compiled.
+// The loss of plastic flow is added to the outcome, so that it needs no model of its own.
 #pragma once
 #include "solve.hpp"
 
@@ -38,7 +39,7 @@ outcome solve_with(const scene& scene, double tolerance, damped_by<Damping...>) 
           ricochet::oblique_impact{
               .speed = scene.speed, .angle = scene.angle, .spin_1 = scene.spin_1, .spin_2 = scene.spin_2},
           {.tolerance = tolerance}, Stepper{});
-      outcome all{out.normal, std::nullopt};
+      outcome all{out.normal, std::nullopt, std::nullopt};
       if (friction)
         all.friction = {out.tangential_speed, out.spin_1,     out.spin_2,        out.tangential_restitution,
                         out.rebound_angle,    out.rolls,      out.impulse_ratio, out.friction_loss,
@@ -58,7 +59,12 @@ outcome solve_with(const scene& scene, double tolerance, damped_by<Damping...>) 
     else
       throw std::logic_error("a damping law that is compiled elsewhere");
   };
-  return std::visit(solve_damped, scene.damping);
+  outcome out = std::visit(solve_damped, scene.damping);
+  if (const auto* plastic = std::get_if<ricochet::thornton_ning>(&scene.plasticity)) {
+    out.plastic_loss = plastic->loss(scene.pair, scene.speed);
+    ricochet::add_plastic_loss(out, *out.plastic_loss);
+  }
+  return out;
 }
 
 } // namespace collisions

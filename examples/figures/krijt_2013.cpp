@@ -1,4 +1,5 @@
-// Krijt et al. 2013, J. Phys. D 46 435303: figures 2, 3, 5, C1 and C2, and the crack-velocity law (16), (17).
+// Krijt et al. 2013, J. Phys. D 46 435303: figures 2, 3, 5, C1 and C2, the crack-velocity law (16), (17),
+// and whether plastic and adhesive losses may be added (30).
 #include "figures.hpp"
 
 #include <array>
@@ -238,6 +239,40 @@ void sticking_speed_over_radius(const std::string& directory) {
   out.finish();
 }
 
+/// Restitution where adhesion and plastic flow act in one motion, and where their losses are added (30). Two numbers
+/// decide: the speed, and JKR's sticking speed, both in units of the yield speed.
+void plastic_and_adhesive_losses(const std::string& directory) {
+  const std::array ratios{0.03, 0.1, 0.3, 1.0};
+  std::vector<column> columns{{"speed_over_yield_speed", "1"}, {"plastic", "1"}};
+  for (const double ratio : ratios)
+    for (const char* what : {"motion_", "added_", "added_minus_motion_"})
+      columns.push_back({what + shown(ratio), "1"});
+  sheet out(directory, "krijt_2013_losses_added",
+            "restitution with adhesion and plastic flow, in one motion and by (30), for JKR's sticking speed over the "
+            "yield speed as the columns say; 0 = captured",
+            columns);
+  const speed sticking = closed_form::sticking_speed(pair, adhesive.work_of_adhesion);
+  for (const double v : logarithmic(0.2, 1000, 281)) {
+    const speed one = 1.0 * metres_per_second;
+    std::vector<double> row{closed_form::plastic_restitution(one, v * one)};
+    for (const double ratio : ratios) {
+      // v_y goes as Y^{5/2}.
+      const speed yield = sticking / ratio, of_one = closed_form::yield_speed(pair, 1.0 * pascals);
+      const modulus strength = std::pow(double(yield / of_one), 0.4) * pascals;
+      const impact at{.speed = v * yield};
+      const double motion =
+          collide(compose(pair, hertz{}, adhesive, thornton_ning_contact{strength}), at).restitution.value_or(0);
+      const double added =
+          collide(compose(pair, hertz{}, adhesive, thornton_ning{strength}), at).restitution.value_or(0);
+      const double excess = added - motion;
+      row.insert(row.end(),
+                 {motion, added, excess > 1e-7 ? excess : std::numeric_limits<double>::quiet_NaN()}); // > tolerance
+    }
+    out.row(v, 1, row);
+  }
+  out.finish();
+}
+
 } // namespace
 
 void krijt_2013(const std::string& directory) {
@@ -250,6 +285,7 @@ void krijt_2013(const std::string& directory) {
   energies_of(bouncing, directory, "krijt_2013_figure_C1", "energies of a collision at 8 m/s");
   energies_of(sticking, directory, "krijt_2013_figure_C2", "energies of a collision at 2 m/s");
   crack_velocity_law(directory);
+  plastic_and_adhesive_losses(directory);
 }
 
 } // namespace figures

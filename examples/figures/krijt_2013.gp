@@ -97,6 +97,38 @@ do for [format in 'svg png'] {
       data using (column('time') * 1e8):'bulk_loss' with lines lw 2.5 dt 3 lc rgb orange title 'lost in the bulk'
   }
 
+  # (30): adhesive and plastic losses, added and in one motion
+  data = csv('krijt_2013_losses_added')
+  eval plain
+  eval draw('krijt_2013_losses_added', 1100, 500)
+  set multiplot layout 1,2 title 'adhesion and plastic flow: in one motion (lines), losses added as in (30) (dashes)'
+  set xlabel 'impact speed over yield speed v/v_y'
+  set logscale x
+  set ylabel 'coefficient of restitution e'
+  set xrange [0.2:100]
+  set yrange [0:1.05]
+  set key bottom right title 'sticking speed of JKR over v_y'
+  plot \
+    data using 'speed_over_yield_speed':'plastic' with lines lw 2 dt 3 lc rgb grey title 'no adhesion (29)', \
+    data using 'speed_over_yield_speed':'motion_0.1' with lines lw 2.5 lc rgb blue title '0.1', \
+    data using 'speed_over_yield_speed':'added_0.1' with lines lw 1.5 dt 2 lc rgb blue notitle, \
+    data using 'speed_over_yield_speed':'motion_0.3' with lines lw 2.5 lc rgb green title '0.3', \
+    data using 'speed_over_yield_speed':'added_0.3' with lines lw 1.5 dt 2 lc rgb green notitle, \
+    data using 'speed_over_yield_speed':'motion_1' with lines lw 2.5 lc rgb red title '1', \
+    data using 'speed_over_yield_speed':'added_1' with lines lw 1.5 dt 2 lc rgb red notitle
+  set ylabel 'e by (30) less e of the motion'
+  set xrange [0.2:1000]
+  set logscale y
+  set format y '10^{%T}'
+  set yrange [1e-5:1]
+  set key top right title ''
+  plot \
+    data using 'speed_over_yield_speed':'added_minus_motion_1' with lines lw 2.5 lc rgb red title '1', \
+    data using 'speed_over_yield_speed':'added_minus_motion_0.3' with lines lw 2.5 lc rgb green title '0.3', \
+    data using 'speed_over_yield_speed':'added_minus_motion_0.1' with lines lw 2.5 lc rgb blue title '0.1', \
+    data using 'speed_over_yield_speed':'added_minus_motion_0.03' with lines lw 2.5 lc rgb orange title '0.03'
+  unset multiplot
+
   # (16), (17): energy release rate over the edge's speed
   data = csv('krijt_2013_crack_velocity_law')
   eval plain

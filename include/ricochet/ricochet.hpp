@@ -23,6 +23,7 @@
 #include <ricochet/law/tangential/coulomb.hpp>
 
 #include <ricochet/law/plasticity/thornton_ning.hpp>
+#include <ricochet/law/plasticity/thornton_ning_contact.hpp>
 
 #include <ricochet/closed_form/brach_dunn.hpp>
 #include <ricochet/closed_form/contact_duration.hpp>

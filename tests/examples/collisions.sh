@@ -152,7 +152,7 @@ check "the steppers agree on them" awk -F, -v count="$row" -v names=restitution,
         else if ((x == "") != (first[$1 all[k]] == "") || (x - first[$1 all[k]])^2 > 1e-14) { print $1, all[k], x, first[$1 all[k]]; bad = 1 } }
       ++rows }
     END { exit bad || rows != 3 * count }' "$work/automatic" "$work/dopri5" "$work/bulirsch_stoer"
-check "the output's columns" output_has ",max_tension,max_compression,crack_loss,bulk_loss,ledger_residual,error_estimate,ending_is_certain,evaluations,$frictions,warnings"
+check "the output's columns" output_has ",max_tension,max_compression,crack_loss,bulk_loss,plastic_loss,ledger_residual,error_estimate,ending_is_certain,evaluations,$frictions,warnings"
 
 # The README's example: Brach & Dunn 1995, table 1.
 brach_dunn() { grains hertz+line_force+hunt_crossley+coulomb 5.06e inf density_2=7800 youngs_modulus_2=207e9 \
@@ -325,6 +325,23 @@ $(ice hertz+jkr+greenwood+kuwabara_kono)," | awk -F, -v OFS=, -v name="$1" -v te
     NR == 2 { $place = text; NF = NF - 1; print }'
 }
 
+# --- plastic flow -----------------------------------------------------------------------------------------------------
+plastic() { solve --tolerance 1e-9 < <(echo "$names,yield_strength"; for model; do echo "$(ice $model),200e6"; done); }
+plastic hertz hertz+thornton_ning hertz+jkr+kuwabara_kono hertz+thornton_ning+jkr+kuwabara_kono
+check "plastic flow: exit status 0, silence" all 'status_is 0' '[ ! -s "$work/err" ]'
+check "its loss is blank without the law" cell_is 1 plastic_loss ""
+loss=0.19653447866 # closed form: 1 - 0.89636238282511^2
+check "plastic flow alone" all 'near "$(cell 2 restitution)" 0.89636238282511 1e-9' 'near "$(cell 2 plastic_loss)" $loss 1e-9'
+check "plastic flow is added to the other losses" near "$(cell 4 restitution)" \
+  "$(awk -v e="$(cell 3 restitution)" -v p=$loss 'BEGIN { printf "%.17g", sqrt(e * e - p) }')" 1e-8
+solve < <(echo "$names,yield_strength"; echo "$(ice hertz+jkr+thornton_ning 1.6),2e6")
+check "what it leaves may be nothing: captured" all 'row_is 1 captured' 'cell_is 1 restitution 0'
+solve < <(echo "$names,friction,yield_strength"; echo "$(ice hertz+coulomb+thornton_ning),0.1,2e8")
+check "not with friction" all 'status_is 1' 'says "plastic flow is added to the normal motion only"'
+solve < <(echo "$names,yield_strength"; echo "$(ice hertz+thornton_ning),"; echo "$(ice hertz+thornton_ning),0")
+check "it needs its strength" all 'status_is 1' 'says "line 2, column yield_strength, value \"\": blank, but needed by thornton_ning"' \
+  'says "line 3, column yield_strength, value \"0\": yield_strength = 0 Pa is outside (0, inf) Pa"'
+
 bad "missing needed value" ', column work_of_adhesion, value "": blank, but needed by jkr' "$(with work_of_adhesion "")"
 bad "a cell of spaces is missing" ', column speed, value "  ": blank, but needed by every collision' "$(with speed "  ")"
 bad "a second sphere needs its density" ', column density_2, value "": blank' "$(with density_2 "")"
@@ -405,7 +422,7 @@ fi
 # --- options ----------------------------------------------------------------------------------------------------------
 solve --help
 check "--help names every column, law and stepper" all 'status_is 0' \
-  'for name in ${names//,/ } ${names_of_friction//,/ } ${frictions//,/ } max_compression ending_is_certain hertz jkr greenwood_fit line_force dmt coulomb end_at_zero_overlap dopri5 bulirsch_stoer ledger_residual --tolerance -o; do output_has "$name" || return 1; done'
+  'for name in ${names//,/ } ${names_of_friction//,/ } ${frictions//,/ } max_compression ending_is_certain hertz jkr greenwood_fit line_force dmt coulomb thornton_ning yield_strength plastic_loss end_at_zero_overlap dopri5 bulirsch_stoer ledger_residual --tolerance -o; do output_has "$name" || return 1; done'
 sed -n '/^    model,/,/^$/ s/^    //p' "$work/out" >"$work/ice.csv"
 solve "$work/ice.csv"
 check "the example of --help" all 'status_is 0' 'row_is 1 separated' 'row_is 2 separated'

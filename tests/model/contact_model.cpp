@@ -26,6 +26,7 @@ BOOST_AUTO_TEST_CASE(absent_laws_take_no_room) {
   BOOST_TEST(sizeof(viscous_jkr(s)) == sizeof(contact_pair) + sizeof(jkr) + sizeof(kuwabara_kono));
   BOOST_TEST(sizeof(viscoelastic_jkr_fit(s)) ==
              sizeof(contact_pair) + sizeof(jkr) + sizeof(greenwood_fit) + sizeof(kuwabara_kono));
+  BOOST_TEST(sizeof(yielding_hertz(s)) == sizeof(contact_pair) + sizeof(thornton_ning_contact));
 }
 
 BOOST_AUTO_TEST_CASE(what_a_model_says_about_itself) {
@@ -33,6 +34,8 @@ BOOST_AUTO_TEST_CASE(what_a_model_says_about_itself) {
   using full = decltype(viscoelastic_jkr(s));
   static_assert(!bare::adhesive && !bare::damped && !bare::has_crack_law);
   static_assert(full::adhesive && full::damped && full::has_crack_law);
+  using yielding_by_motion = decltype(yielding_jkr(s));
+  static_assert(!bare::flows && !bare::yields && yielding_by_motion::flows && !yielding_by_motion::yields);
   using still = decltype(viscoelastic_jkr(s, energy_ledger{}).with_static_edge());
   BOOST_TEST((std::same_as<still, decltype(viscous_jkr(s, energy_ledger{}))>));
 }

@@ -2,6 +2,8 @@
 
 #include "support/random_scenes.hpp"
 
+#include <ricochet/law/plasticity/thornton_ning.hpp>
+
 using namespace support;
 
 namespace {
@@ -72,6 +74,10 @@ BOOST_AUTO_TEST_CASE(a_scene_pays_only_for_what_is_in_it) {
     return static_jkr(s, greenwood_fit{.interaction_range = s.interaction_range}, energy_ledger{});
   };
   static_assert(has_exactly<root, rate, mutual_approach_t, crack_loss_t>(model_of<decltype(edge_only)>{}));
+  const auto flowing = [](const scene& s) { return viscous_hertz(s, yielding(s)); };
+  static_assert(has_exactly<radius, rate, largest_coordinate_t, plastic_loss_t>(model_of<decltype(flowing)>{}));
+  const auto added = [](const scene& s) { return viscous_hertz(s, thornton_ning{}).without_plasticity(); };
+  static_assert(has_exactly<radius, rate>(model_of<decltype(added)>{}));
   const auto all = [](const scene& s) {
     return viscoelastic_jkr(s, energy_ledger{}, contact_duration{}, extremes{}, trajectory{});
   };

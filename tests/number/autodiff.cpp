@@ -121,6 +121,17 @@ BOOST_AUTO_TEST_CASE(restitution_of_viscous_jkr) {
   agrees(model, speed_of);
 }
 
+BOOST_AUTO_TEST_CASE(restitution_of_a_yielding_contact) {
+  const ice_case ice;
+  const auto yield_strength_of = [](auto& numbers, auto&) -> auto& { return numbers.plasticity.yield_strength; };
+  const thornton_ning_contact law{200.0 * megapascals};
+  const auto adhesive = compose(ice.pair, hertz{}, ice.adhesive, law);
+  agrees(adhesive, work_of_adhesion_of);
+  agrees(adhesive, yield_strength_of);
+  agrees(adhesive, speed_of);
+  agrees(compose(ice.pair, hertz{}, ice.viscous, law), yield_strength_of);
+}
+
 BOOST_AUTO_TEST_CASE(traits) {
   static_assert(std::same_as<real_of<dual<>>, double>);
   static_assert(number_traits<dual<fine>>::inverts_exactly && !number_traits<dual<>>::inverts_exactly);

@@ -41,6 +41,16 @@ static_assert(has_extremes<with_extremes> && !has_ledger<with_extremes> && !has_
 static_assert(has_trajectory<with_trajectory> && !has_ledger<with_trajectory> && !has_extremes<with_trajectory>);
 static_assert(has_ledger<with_all> && has_duration<with_all> && has_extremes<with_all> && has_trajectory<with_all>);
 
+// A motion with plastic flow has its loss and what it leaves, and no other has.
+using flowing = basic_outcome<double, length, duration, force, speed, requests{}, false, true>;
+using flowing_traced = basic_outcome<double, length, duration, force, speed, requests{.trajectory = true}, false, true>;
+template <class T>
+concept has_flow = requires(T x) {
+  x.plastic_loss, x.residual_approach;
+};
+static_assert(has_flow<flowing> && !has_flow<with_all> && !has_trajectory<flowing>);
+static_assert(std::same_as<length, decltype(flowing{}.residual_approach)>);
+
 // Nothing unasked takes room; each part takes its own.
 struct bare {
   ricochet::ending ending;
@@ -56,6 +66,8 @@ static_assert(sizeof(with_ledger) == sizeof(bare) + 4 * sizeof(double));
 static_assert(sizeof(with_duration) == sizeof(bare) + sizeof(double));
 static_assert(sizeof(with_extremes) == sizeof(bare) + 4 * sizeof(double));
 static_assert(sizeof(with_trajectory) == sizeof(bare) + 11 * sizeof(std::vector<double>));
+static_assert(sizeof(flowing) == sizeof(bare) + 2 * sizeof(double));
+static_assert(sizeof(flowing_traced) == sizeof(flowing) + 12 * sizeof(std::vector<double>));
 
 // The quantities have their dimensions.
 static_assert(std::same_as<length, decltype(with_all{}.max_approach)>);

@@ -113,6 +113,15 @@ BOOST_AUTO_TEST_CASE(static_jkr_scenes) {
 BOOST_AUTO_TEST_CASE(viscous_jkr_scenes) {
   check([](const scene& s) { return viscous_jkr(s); }, number_of_scenes(1000), 16);
 }
+BOOST_AUTO_TEST_CASE(yielding_hertz_scenes) {
+  check([](const scene& s) { return yielding_hertz(s); }, number_of_scenes(1000), 19);
+}
+BOOST_AUTO_TEST_CASE(yielding_jkr_scenes) {
+  check([](const scene& s) { return yielding_jkr(s); }, number_of_scenes(1000), 20);
+}
+BOOST_AUTO_TEST_CASE(viscous_yielding_jkr_scenes) {
+  check([](const scene& s) { return viscous_yielding_jkr(s); }, number_of_scenes(1000), 21);
+}
 BOOST_AUTO_TEST_CASE(viscoelastic_jkr_fit_scenes) {
   check([](const scene& s) { return viscoelastic_jkr_fit(s); }, number_of_scenes(60), 17);
 }

@@ -32,5 +32,10 @@ BOOST_AUTO_TEST_CASE(a_trajectory_is_written_with_its_energies_and_its_losses_wh
       collide(compose(ice.pair, hertz{}, ice.adhesive, ice.viscous, ice.fitted(), trajectory{}, energy_ledger{}), fast);
   write_trajectory(file, "test", full.trajectory);
   BOOST_TEST(header_of(file, rows) == columns + ",crack_loss,bulk_loss");
+  const auto flowing = collide(compose(ice.pair, hertz{}, ice.adhesive, thornton_ning_contact{200.0 * megapascals},
+                                       trajectory{}, energy_ledger{}),
+                               fast);
+  write_trajectory(file, "test", flowing.trajectory);
+  BOOST_TEST(header_of(file, rows) == columns + ",crack_loss,bulk_loss,plastic_loss");
   std::filesystem::remove(file);
 }

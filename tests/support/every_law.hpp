@@ -12,6 +12,7 @@
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/law/elastic/linear.hpp>
+#include <ricochet/law/plasticity/thornton_ning_contact.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
 
 #include <vector>
@@ -90,6 +91,14 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
                         hunt_crossley_law<S>{T(0.25)}.coefficient(pair, c),
                         tsuji_law<S>{T(0.5)}.coefficient(pair, c),
                         linear_dashpot_law<S>{x.mass}.coefficient(pair, c)};
+  const thornton_ning_contact_law<S> flowing{x.modulus / T(8)};
+  const T few = x.work_of_adhesion / T(16);
+  const contact_shape<S> shape = flowing.shape(pair, few, x.radius / T(2), x.radius);
+  flattened_configuration<S> flat{};
+  static_cast<configuration<S>&>(flat) = c;
+  flat.take(pair, shape);
+  values.insert(values.end(), {shape.radius, shape.residual_approach, shape.radius_slope, shape.approach_slope,
+                               flowing.lost_force(flat)});
   const auto put = [&](const edge_rate<T>& edge) { values.insert(values.end(), {edge.advance, edge.slowness}); };
   for (int piece = 0; piece < 4; ++piece)
     put(fit.rate(x.root_ratio, piece));
@@ -104,8 +113,13 @@ template <class T>
 std::vector<T> values_at_set_up(const contact_numbers<T>& x) {
   const basic_pair<reduced<T>> pair{x.modulus, x.radius_of_bodies, x.mass};
   const jkr_law<reduced<T>> adhesion{x.work_of_adhesion};
-  return {adhesion.touch_radius(pair), adhesion.fold_radius(pair), adhesion.equilibrium_radius(pair),
-          adhesion.contact_radius(pair, x.radius), adhesion.exit_energy(pair)};
+  return {adhesion.touch_radius(pair),
+          adhesion.fold_radius(pair),
+          adhesion.equilibrium_radius(pair),
+          adhesion.contact_radius(pair, x.radius),
+          adhesion.exit_energy(pair),
+          thornton_ning_contact_law<reduced<T>>{x.modulus}.yield_radius(pair, adhesion.flattening(pair)),
+          thornton_ning_contact_law<reduced<T>>{}.least_strength(pair, adhesion.flattening(pair))};
 }
 
 } // namespace support

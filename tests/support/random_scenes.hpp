@@ -9,6 +9,7 @@
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
+#include <ricochet/law/plasticity/thornton_ning_contact.hpp>
 #include <ricochet/solve/steppers.hpp>
 
 #include <random>
@@ -93,6 +94,16 @@ inline auto viscoelastic_jkr(const scene& s, auto... also) {
 inline auto power_law_jkr(const scene& s, auto... also) {
   return viscous_jkr(s, maugis_barquins{.reference_speed = s.edge_speed, .exponent = s.edge_exponent}, also...);
 }
+
+/// Strengths from the least that adhesion bears to ten times that: some scenes yield at touch nearly, some not at all.
+inline thornton_ning_contact yielding(const scene& s) {
+  const root_length flattening = jkr{s.work_of_adhesion}.flattening(s.pair);
+  const double times = 1.01 + 2 * square(s.tsuji_coefficient);
+  return {times * thornton_ning_contact{}.least_strength(s.pair, flattening)};
+}
+inline auto yielding_hertz(const scene& s, auto... also) { return hertzian(s, yielding(s), also...); }
+inline auto yielding_jkr(const scene& s, auto... also) { return static_jkr(s, yielding(s), also...); }
+inline auto viscous_yielding_jkr(const scene& s, auto... also) { return viscous_jkr(s, yielding(s), also...); }
 
 /// The restitution (0 when captured) to the precision of long double.
 template <class Model>

@@ -5,6 +5,7 @@
 #include <ricochet/law/crack/crack_velocity_law.hpp>
 #include <ricochet/law/damping/bulk_damping_law.hpp>
 #include <ricochet/law/elastic/elastic_law.hpp>
+#include <ricochet/law/plasticity/flowing_law.hpp>
 #include <ricochet/law/plasticity/plasticity_law.hpp>
 #include <ricochet/law/tangential/tangential_law.hpp>
 
@@ -12,11 +13,12 @@
 
 namespace ricochet {
 
-/// How many laws of each role a composition names; `attraction` of the adhesion laws are forces without an edge,
-/// `edgeless` of the elastic laws have an energy that does not depend on the contact radius.
+/// How many laws of each role a composition names; `attraction` of the adhesion laws are forces without an edge, `flow`
+/// of the plasticity laws act within the motion, `edgeless` of the elastic laws have an energy that does not depend on
+/// the contact radius.
 struct role_count {
   int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0, attraction = 0, tangential = 0, plasticity = 0,
-      edgeless = 0;
+      flow = 0, edgeless = 0;
 };
 
 /// Empty if laws in these numbers go together, else the sentence of refusal.
@@ -37,6 +39,10 @@ constexpr std::string_view refusal(const role_count& n) {
     return "two plasticity laws were given: keep one";
   if (n.plasticity == 1 && n.tangential == 1)
     return "plastic flow is added to the normal motion only: drop the tangential law or the plasticity law";
+  if (n.flow == 1 && n.crack == 1)
+    return "plastic flow within the motion goes with a static edge: drop the crack-velocity law or take thornton_ning";
+  if (n.flow == 1 && n.attraction == 1)
+    return "plastic flow within the motion goes with an adhesion law with a surface energy: take jkr or thornton_ning";
   if (n.end > 1)
     return "two end conditions were given: keep one";
   if (n.crack == 1 && n.adhesion == n.attraction)
@@ -60,6 +66,7 @@ constexpr role_count count_roles() {
           .attraction = (int(attraction_law<Laws>) + ... + 0),
           .tangential = (int(plays<Laws, role::tangential>) + ... + 0),
           .plasticity = (int(plays<Laws, role::plasticity>) + ... + 0),
+          .flow = (int(flowing_law<Laws>) + ... + 0),
           .edgeless = (int(is_edgeless<Laws>) + ... + 0)};
 }
 

@@ -35,8 +35,10 @@ consteval bool diagnose() {
     static_assert(tangential_law<L>, "tangential law: sliding_force(elastic_force) is missing or returns another type "
                                      "(law/tangential/tangential_law.hpp)");
   if constexpr (plays<L, role::plasticity>)
-    static_assert(plasticity_law<L>, "plasticity law: loss(pair, speed) is missing or returns another type "
-                                     "(law/plasticity/plasticity_law.hpp)");
+    static_assert(plasticity_law<L> || flowing_law<L>,
+                  "plasticity law: loss(pair, speed) is missing or returns another type "
+                  "(law/plasticity/plasticity_law.hpp); or, of one within the motion, yield_strength, yield_radius, "
+                  "shape, lost_force or least_strength (law/plasticity/flowing_law.hpp)");
   return true;
 }
 
@@ -90,6 +92,12 @@ void check_dimensions() {
     (void)[](const Law& law, pair p, part c) { (void)damping(law.coefficient(p, c)); };
   else if constexpr (plays<Law, role::tangential>)
     (void)[](const Law& law, force f) { (void)force(law.sliding_force(f)); };
+  else if constexpr (flowing_law<Law>)
+    (void)[](const Law& law, pair p, flattened_configuration<dimensional>& c, root_length flattening) {
+      c.take(p, law.shape(p, flattening, law.yield_radius(p, flattening), c.radius));
+      (void)force(law.lost_force(c));
+      (void)modulus(law.least_strength(p, flattening) + law.yield_strength);
+    };
 }
 
 template <class Law>
@@ -104,6 +112,19 @@ void admit(Law& law) {
     law.tabulate();
 }
 
+} // namespace detail
+
+namespace detail {
+/// \throws bad_input where the contact would yield while adhesion draws it together.
+template <class Adhesion, class Flow>
+void admit_flow(const contact_pair& pair, const Adhesion& adhesion, const Flow& law) {
+  if constexpr (adhesion_law<Adhesion> && flowing_law<Flow>) {
+    const modulus least = law.least_strength(pair, adhesion.flattening(pair));
+    if (law.yield_strength < least)
+      throw bad_input("yield_strength = " + shown(in_si(law.yield_strength)) + " Pa is below " + shown(in_si(least)) +
+                      " Pa: the contact would yield while adhesion draws it together, where this law creates energy");
+  }
+}
 } // namespace detail
 
 /// A contact model of exactly the physics named, in any order; laws' parameters are validated and tables made here.
@@ -122,6 +143,12 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert(n.plasticity < 2, "two plasticity laws were given: keep one");
   static_assert(n.plasticity == 0 || n.tangential == 0,
                 "plastic flow is added to the normal motion only: drop the tangential law or the plasticity law");
+  static_assert(
+      n.flow == 0 || n.crack == 0,
+      "plastic flow within the motion goes with a static edge: drop the crack-velocity law or take thornton_ning");
+  static_assert(
+      n.flow == 0 || n.attraction == 0,
+      "plastic flow within the motion goes with an adhesion law with a surface energy: take jkr or thornton_ning");
   static_assert(n.end < 2, "two end conditions were given: keep one");
   static_assert(n.crack == 0 || n.adhesion != n.attraction,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
@@ -152,6 +179,7 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     detail::admit(damping);
     detail::admit(tangential);
     detail::admit(plasticity);
+    detail::admit_flow(pair, adhesion, plasticity);
     constexpr requests asked{.ledger = detail::names<energy_ledger, Arguments...>,
                              .duration = detail::names<contact_duration, Arguments...>,
                              .extremes = detail::names<extremes, Arguments...>,

@@ -13,9 +13,9 @@ struct configuration {
 };
 
 /// A contact at one instant on plain numbers, and how its coordinate y moves in slowed time sigma.
-template <class T>
+template <class T, class Part = configuration<reduced<T>>>
 struct contact_instant {
-  configuration<reduced<T>> c;
+  Part c;
   T clock;           ///< dt/d(sigma)
   T coordinate_rate; ///< dy/d(sigma)
   T root_ratio;      ///< sqrt(G/w); 1 for a slaved edge with adhesion, 0 without

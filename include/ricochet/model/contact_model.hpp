@@ -1,6 +1,7 @@
 #pragma once
 #include <ricochet/law/adhesion/attraction_law.hpp>
 #include <ricochet/law/end.hpp>
+#include <ricochet/law/plasticity/flowing_law.hpp>
 #include <ricochet/model/requests.hpp>
 
 namespace ricochet {
@@ -17,7 +18,8 @@ struct contact_model {
   static constexpr bool damped = is_present<Damping>;
   static constexpr bool has_crack_law = is_present<Crack>;
   static constexpr bool slides = is_present<Tangential>;
-  static constexpr bool yields = is_present<Plasticity>;
+  static constexpr bool flows = flowing_law<Plasticity>;           ///< plastic flow is part of the motion
+  static constexpr bool yields = is_present<Plasticity> && !flows; ///< its loss is added to that of the motion
 
   contact_pair pair;
   [[no_unique_address]] Elastic elastic;

@@ -12,6 +12,8 @@ namespace ricochet {
 /// x[contact_radius] (m). Its solutions start and end with roots of the time; collide() works in smooth coordinates.
 template <class Model>
 class physical_system {
+  static_assert(!Model::flows, "a physical system has no memory of plastic flow: take collide()");
+
 public:
   static constexpr bool free_edge = Model::has_crack_law;
   using state_type =

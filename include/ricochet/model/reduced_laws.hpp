@@ -13,6 +13,7 @@ class reduced_laws {
   using crack_type = in_numbers<decltype(Model::crack)>;
   using damping_type = in_numbers<decltype(Model::damping)>;
   using tangential_type = in_numbers<decltype(Model::tangential)>;
+  using plasticity_type = in_numbers<decltype(Model::plasticity)>;
 
 public:
   using number = T;
@@ -22,6 +23,8 @@ public:
   static constexpr bool damped = Model::damped;
   static constexpr bool free_edge = Model::has_crack_law;
   static constexpr bool slides = Model::slides;
+  static constexpr bool flows = Model::flows;
+  using part = std::conditional_t<flows, flattened_configuration<reduced<T>>, configuration<reduced<T>>>;
 
   basic_pair<reduced<T>> pair;
   [[no_unique_address]] elastic_type elastic;
@@ -29,6 +32,7 @@ public:
   [[no_unique_address]] crack_type crack;
   [[no_unique_address]] damping_type damping;
   [[no_unique_address]] tangential_type tangential;
+  [[no_unique_address]] plasticity_type plasticity;
 
   /// Every number of the source, which is a model or its laws in another scalar type, passed through `convert`.
   template <class Source, class Convert>
@@ -38,7 +42,24 @@ public:
         elastic(rebind_law<reduced<T>>(source.elastic, convert)),
         adhesion(rebind_law<reduced<T>>(source.adhesion, convert)),
         crack(rebind_law<reduced<T>>(source.crack, convert)), damping(rebind_law<reduced<T>>(source.damping, convert)),
-        tangential(rebind_law<reduced<T>>(source.tangential, convert)) {}
+        tangential(rebind_law<reduced<T>>(source.tangential, convert)),
+        plasticity(rebind_law<reduced<T>>(source.plasticity, convert)) {}
+
+  /// The pair as the contact has it: flattened where plastic flow has been.
+  const basic_pair<reduced<T>>& pair_of([[maybe_unused]] const part& c) const {
+    if constexpr (flows)
+      return c.pair;
+    else
+      return pair;
+  }
+
+  /// Approach of the bodies: that of the contact, and the residual one of a flattened contact.
+  T whole_approach(const part& c) const {
+    if constexpr (flows)
+      return c.approach + c.shape.residual_approach;
+    else
+      return c.approach;
+  }
 
   /// f(law, its like in `other`) for every law; `other` is a model or its laws in another scalar type.
   template <class Other, class Function>
@@ -48,6 +69,7 @@ public:
     f(crack, other.crack);
     f(damping, other.damping);
     f(tangential, other.tangential);
+    f(plasticity, other.plasticity);
   }
 
   /// Scales of an impact at this speed, of laws in SI.
@@ -64,15 +86,15 @@ public:
   }
 
   /// Force of the bulk damping law.
-  T damping_force(const configuration<reduced<T>>& c) const {
+  T damping_force(const part& c) const {
     if constexpr (damped)
-      return damping.coefficient(pair, c) * c.rate;
+      return damping.coefficient(pair_of(c), c) * c.rate;
     else
       return T(0);
   }
 
   /// Force by which an attraction opposes the rebound.
-  T rebound_force(const configuration<reduced<T>>& c) const {
+  T rebound_force(const part& c) const {
     if constexpr (attracted)
       return adhesion.rebound_damping(pair, c) * c.rate;
     else
@@ -80,21 +102,19 @@ public:
   }
 
   /// Force that derives from potential(), > 0 repulsive.
-  T static_force(const configuration<reduced<T>>& c) const {
+  T static_force(const part& c) const {
     if constexpr (attracted)
       return elastic.force(pair, c) - adhesion.attraction(pair, c);
     else
-      return elastic.force(pair, c);
+      return elastic.force(pair_of(c), c);
   }
 
   /// Force between the bodies, > 0 repulsive.
-  T total_force(const configuration<reduced<T>>& c) const {
-    return static_force(c) + damping_force(c) + rebound_force(c);
-  }
+  T total_force(const part& c) const { return static_force(c) + damping_force(c) + rebound_force(c); }
 
   T kinetic_energy(const T& rate) const { return pair.reduced_mass * rate * rate / T(2); }
 
-  T surface_energy(const configuration<reduced<T>>& c) const {
+  T surface_energy(const part& c) const {
     if constexpr (adhesive)
       return adhesion.surface_energy(c.radius);
     else if constexpr (attracted)
@@ -104,7 +124,7 @@ public:
   }
 
   /// U_E + U_S.
-  T potential(const configuration<reduced<T>>& c) const { return elastic.stored_energy(pair, c) + surface_energy(c); }
+  T potential(const part& c) const { return elastic.stored_energy(pair_of(c), c) + surface_energy(c); }
 };
 
 } // namespace ricochet

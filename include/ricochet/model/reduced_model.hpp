@@ -1,7 +1,6 @@
 #pragma once
 #include <ricochet/law/crack/crack_velocity_law.hpp>
-#include <ricochet/model/reduced_laws.hpp>
-#include <ricochet/model/state.hpp>
+#include <ricochet/model/shaped_laws.hpp>
 
 namespace ricochet {
 
@@ -12,39 +11,46 @@ namespace ricochet {
 /// sigma; so y' = rate, and the fold of JKR or the touch of Hertz are ordinary crossings. Free edge (crack law): the
 /// unknowns are delta, rate and y = sqrt(a), with sqrt(beta) = (y^4/R - delta)/(c y), and dt = d sigma/sqrt(1 +
 /// (dy/dt)^2/ref^2), finite where the edge's speed is not.
+/// Plastic flow: the contact has a shape, that of the largest y so far.
 template <class T, class Model>
-class reduced_model : public reduced_laws<T, Model> {
-  using laws = reduced_laws<T, Model>;
+class reduced_model : public shaped_laws<T, Model> {
+  using laws = shaped_laws<T, Model>;
+  using laws::flattening_;
+  using laws::yield_coordinate_;
 
 public:
   using laws::adhesion;
   using laws::adhesive;
   using laws::attracted;
+  using laws::coordinate;
   using laws::crack;
   using laws::damped;
   using laws::elastic;
+  using laws::flows;
   using laws::free_edge;
   using laws::pair;
+  using laws::pair_of;
+  using laws::plasticity;
+  using laws::root_coordinate;
   using laws::slides;
   using laws::tangential;
-  static constexpr bool root_coordinate =
-      adhesive || needs_root_radius<decltype(Model::elastic)> || needs_root_radius<decltype(Model::damping)>;
+  using typename laws::coordinate_t;
+  using typename laws::part;
   static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || slides;
 
-  using coordinate_t = std::conditional_t<root_coordinate, root_contact_radius_t, contact_radius_t>;
   using unknowns = join<variables<coordinate_t, approach_rate_t>, optionally<mutual_approach_t, free_edge>,
                         optionally<elapsed_time_t, keeps_time>, optionally<bulk_loss_t, Model::asked.ledger && damped>,
                         optionally<crack_loss_t, Model::asked.ledger && (free_edge || attracted)>,
+                        std::conditional_t<flows, variables<largest_coordinate_t, plastic_loss_t>, variables<>>,
                         std::conditional_t<slides, variables<slip_t, slip_distance_t>, variables<>>>;
   using state_type = state<T, unknowns>;
-  static constexpr coordinate_t coordinate{};
 
   reduced_model(const Model& model, const scales& unit)
       : laws(model, [&unit](const auto& quantity) { return reduce<T>(quantity, unit); }) {
     prepare();
   }
 
-  explicit reduced_model(const laws& in_scales) : laws(in_scales) { prepare(); }
+  explicit reduced_model(const reduced_laws<T, Model>& in_scales) : laws(in_scales) { prepare(); }
 
   /// The same numbers in another scalar type.
   template <class Other>
@@ -55,28 +61,22 @@ public:
 
   /// Recomputes what is constant during a collision; to be called after a law's parameter was changed.
   void prepare() {
-    if constexpr (adhesive) {
-      flattening_ = adhesion.flattening(pair);
-      exit_energy_ = free_edge ? T(0) : adhesion.exit_energy(pair);
-    }
+    this->prepare_contact();
     if constexpr (free_edge) {
       edge_speed_ = crack.speed_scale(pair, adhesion.work_of_adhesion);
       reference_ = sqrt(sqrt(pair.reduced_radius)) / T(2);
     }
   }
 
-  /// Least energy the contact has where it lets go; below it, it can never separate.
-  const T& exit_energy() const { return exit_energy_; }
-
-  using instant = contact_instant<T>;
+  using instant = contact_instant<T, part>;
 
   /// `piece` of the crack law to be used, or sliding(j) while the edge is held at joint j, where the law jumps and
-  /// both sides of the jump push beta back to it; ignored without a crack law.
+  /// both sides of the jump push beta back to it; of a flowing law 1 while it flows, else 0.
   instant at(const state_type& x, int piece) const {
     instant now{};
     const T& y = x[coordinate];
     now.c.rate = x[approach_rate];
-    now.c.radius = root_coordinate ? T(y * y) : y;
+    now.c.radius = laws::radius_at(y);
     if constexpr (root_coordinate)
       now.c.root_radius = y;
     else // no law has declared that it uses it: who does all the same, shall notice
@@ -104,8 +104,10 @@ public:
       now.clock = delay * norm;
       now.coordinate_rate = reference_ * advance * norm;
     } else {
-      now.c.approach = elastic.load_free_approach(pair, now.c.radius);
-      now.clock = elastic.load_free_slope(pair, now.c.radius);
+      if constexpr (flows)
+        now.c.take(pair, this->shape_at(piece == 0 ? x[largest_coordinate] : y));
+      now.c.approach = elastic.load_free_approach(pair_of(now.c), now.c.radius);
+      now.clock = elastic.load_free_slope(flows && piece == 0 ? pair_of(now.c) : pair, now.c.radius);
       if constexpr (root_coordinate)
         now.clock *= T(2) * y;
       if constexpr (adhesive) {
@@ -150,6 +152,11 @@ public:
       const T open = opened(x);
       dx[crack_loss] = T(4) * pi<T>() * adhesion.work_of_adhesion * (y - open) * (y + open) * y * now.coordinate_rate;
     }
+    if constexpr (flows) {
+      dx[largest_coordinate] = piece == 0 ? T(0) : now.coordinate_rate;
+      dx[plastic_loss] =
+          piece == 0 ? T(0) : T(this->plastic_loss_per_growth(now.c, x[coordinate]) * now.coordinate_rate);
+    }
     if constexpr (slides) { // homogeneous spheres: 1/m* + sum R_i^2/I_i = 7/2m*
       dx[slip] =
           sliding
@@ -172,6 +179,8 @@ public:
       x[coordinate] = sqrt(T(adhesion.touch_radius(pair) * cube_root(crack.first_ratio())));
     else if constexpr (adhesive)
       x[coordinate] = sqrt(adhesion.touch_radius(pair));
+    if constexpr (flows)
+      x[largest_coordinate] = yield_coordinate_;
     return x;
   }
 
@@ -191,6 +200,8 @@ public:
     x[coordinate] = sqrt(pair.reduced_radius);
     if constexpr (root_coordinate)
       x[coordinate] = sqrt(x[coordinate]);
+    if constexpr (flows)
+      x[largest_coordinate] = x[coordinate];
     return x;
   }
 
@@ -218,7 +229,7 @@ private:
     return elastic.load_free_slope(pair, now.c.radius) * T(2) * now.c.root_radius - flattening_ * now.root_ratio;
   }
 
-  T flattening_ = T(0), exit_energy_ = T(0), edge_speed_ = T(0), reference_ = T(1);
+  T edge_speed_ = T(0), reference_ = T(1);
 };
 
 } // namespace ricochet

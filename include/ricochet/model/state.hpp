@@ -54,6 +54,10 @@ inline constexpr struct crack_loss_t {
 } crack_loss;
 inline constexpr struct bulk_loss_t {
 } bulk_loss;
+inline constexpr struct plastic_loss_t {
+} plastic_loss;
+inline constexpr struct largest_coordinate_t { ///< of the contact radius so far, at least that of first yield
+} largest_coordinate;
 inline constexpr struct slip_t { ///< speed at which the contact point slides
 } slip;
 inline constexpr struct slip_distance_t {

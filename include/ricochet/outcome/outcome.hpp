@@ -63,16 +63,35 @@ struct sliding_result {
   Speed approach_rate{};          ///< of the bodies, < 0 when they separate
 };
 
+/// Of a model with a flowing law.
+template <class T, class Length>
+struct flow_result {
+  T plastic_loss{};           ///< in units of the initial kinetic energy
+  Length residual_approach{}; ///< by which the bodies have been flattened; 0 if they have not yielded
+};
+
 template <class Column>
 struct trajectory_columns {
   Column time, mutual_approach, approach_rate, contact_radius, elastic_force, damping_force, kinetic_energy,
       elastic_energy, surface_energy, crack_loss, bulk_loss;
 };
 
+template <class Column>
+struct flowing_trajectory_columns : trajectory_columns<Column> {
+  Column plastic_loss; ///< likewise
+};
+
+namespace detail {
+template <bool Flows, class Column>
+using columns_of = std::conditional_t<Flows, flowing_trajectory_columns<Column>, trajectory_columns<Column>>;
+}
+
 /// The motion, one row a state; in SI units once it leaves collide(). crack_loss and bulk_loss (J, up to the row, jumps
-/// included, so that the energies add up to that of the impact) are filled where the ledger was asked for too.
+/// included, so that the energies add up to that of the impact) are filled where the ledger was asked for too, and so
+/// is plastic_loss where the motion has one.
+template <bool Flows>
 struct trajectory_result {
-  trajectory_columns<std::vector<double>> trajectory;
+  detail::columns_of<Flows, std::vector<double>> trajectory;
 };
 
 /// One sentence for each law used outside its range.
@@ -88,13 +107,15 @@ using part = std::conditional_t<Wanted, Part, nothing<Place>>;
 } // namespace detail
 
 /// What came out of a collision. The parts that were not asked for in compose() are not there.
-template <class T, class Length, class Duration, class Force, class Speed, requests Asked, bool Slides = false>
+template <class T, class Length, class Duration, class Force, class Speed, requests Asked, bool Slides = false,
+          bool Flows = false>
 struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.duration, duration_result<Duration>, 1>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
-                       detail::part<Asked.trajectory, trajectory_result, 3>,
+                       detail::part<Asked.trajectory, trajectory_result<Flows>, 3>,
                        detail::part<Slides, sliding_result<Speed, Length, Duration>, 4>,
-                       detail::part<Asked.warnings, warnings_result, 5> {
+                       detail::part<Flows, flow_result<T, Length>, 5>,
+                       detail::part<Asked.warnings, warnings_result, 6> {
   ricochet::ending ending = ricochet::ending::failed;
   std::optional<T> restitution;  ///< of the final separation; absent when the bodies did not separate
   bool ending_is_certain = true; ///< false so near a threshold that the error bound does not decide
@@ -117,11 +138,12 @@ struct plastic_outcome : Elastic {
 
 /// The outcome that a contact model gives, in SI units; and on the numbers T of its reduced form.
 template <class Model>
-using elastic_outcome_of = basic_outcome<double, length, duration, force, speed, Model::asked, Model::slides>;
+using elastic_outcome_of =
+    basic_outcome<double, length, duration, force, speed, Model::asked, Model::slides, Model::flows>;
 template <class Model>
 using outcome_of =
     std::conditional_t<Model::yields, plastic_outcome<elastic_outcome_of<Model>>, elastic_outcome_of<Model>>;
 template <class T, class Model>
-using reduced_outcome_of = basic_outcome<T, T, T, T, T, Model::asked, Model::slides>;
+using reduced_outcome_of = basic_outcome<T, T, T, T, T, Model::asked, Model::slides, Model::flows>;
 
 } // namespace ricochet

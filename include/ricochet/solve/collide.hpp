@@ -125,6 +125,10 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
     out.max_tension = numbers.max_tension * newton * units::newtons;
     out.max_compression = numbers.max_compression * newton * units::newtons;
   }
+  if constexpr (Model::flows) {
+    out.plastic_loss = numbers.plastic_loss;
+    out.residual_approach = numbers.residual_approach * unit.length * units::metres;
+  }
   if constexpr (Model::slides) {
     const double metre_per_second = unit.length / unit.duration;
     out.slip = numbers.slip * metre_per_second * units::metres_per_second;
@@ -149,6 +153,8 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
     scale(t.damping_force, newton);
     for (auto* column : {&t.kinetic_energy, &t.elastic_energy, &t.surface_energy, &t.crack_loss, &t.bulk_loss})
       scale(*column, joule);
+    if constexpr (Model::flows)
+      scale(t.plastic_loss, joule);
   }
   return out;
 }

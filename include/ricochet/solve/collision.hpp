@@ -66,9 +66,7 @@ public:
   }
 
   /// Energy beyond what the contact has where it lets go: kinetic energy of separated bodies, negative when captured.
-  T excess_energy() const {
-    return out_.ending == ending::separated ? ledger_.remaining() : T(ledger_.remaining() - model_.exit_energy());
-  }
+  const T& excess_energy() const { return ledger_.excess(); }
   /// Potential energy at the first turning point.
   const T& energy_at_turning() const { return energy_at_turning_; }
   /// Approach rate over the impact's speed where the edge first let go of bodies that were approaching; infinite if
@@ -80,7 +78,7 @@ public:
   const real& largest_energy() const { return ledger_.largest(); }
 
 private:
-  configuration<reduced<T>> now(const state_type& x) const { return model_.at(x, flow_.piece).c; }
+  typename Reduced::part now(const state_type& x) const { return model_.at(x, flow_.piece).c; }
 
   void touched(const state_type& x) {
     flow_.piece = 0;
@@ -173,6 +171,8 @@ private:
         flow_.sliding = false;
         return;
       }
+    if constexpr (Reduced::flows)
+      flow_.set_plastic(which == event::yielding, x);
     if (which != event::turning) {
       flow_.piece = edge_.beyond(x, flow_.piece, which == event::leaving_above);
       return;
@@ -200,7 +200,7 @@ private:
   bool damping_drives(const state_type& x) const {
     if constexpr (Reduced::damped)
       return value_of(x[Reduced::coordinate]) > real(0) &&
-             value_of(model_.damping.coefficient(model_.pair, now(x))) < real(0);
+             value_of(model_.damping.coefficient(model_.pair_of(now(x)), now(x))) < real(0);
     else
       return false;
   }

@@ -15,8 +15,9 @@ enum class event {
   leaving_below, ///< of the crack law's piece, towards smaller beta
   leaving_above, ///< of the crack law's piece, towards larger beta
   rolling,       ///< the contact point slides no longer
+  yielding,      ///< the contact radius exceeds the largest so far
 };
-inline constexpr std::size_t event_count = 6;
+inline constexpr std::size_t event_count = 7;
 
 /// The events that a model has, evaluated at a state; +1 for those it has not.
 template <class Reduced>
@@ -42,14 +43,18 @@ public:
         if (std::size_t(piece) != joint_count) // only the last piece opens
           return T(1);
         return opens_without_bound<decltype(Reduced::crack)> ? x[Reduced::coordinate] : model_.at(x, piece).slowness;
-      } else
+      } else if constexpr (Reduced::flows && Reduced::adhesive)
+        return model_.at(x, piece).clock; // the fold is that of the shape
+      else
         return x[Reduced::coordinate] - fold_;
     case event::zero_force:
       if constexpr (may_lose_force) { // divided by the damping coefficient, it is smooth down to zero overlap
         const auto now = model_.at(x, piece);
         if (!(value_of(x[Reduced::coordinate]) > real(0)))
           return now.c.rate;
-        return model_.elastic.force(model_.pair, now.c) / model_.damping.coefficient(model_.pair, now.c) + now.c.rate;
+        return model_.elastic.force(model_.pair_of(now.c), now.c) /
+                   model_.damping.coefficient(model_.pair_of(now.c), now.c) +
+               now.c.rate;
       }
       break;
     case event::leaving_below:
@@ -71,6 +76,11 @@ public:
     case event::rolling:
       if constexpr (Reduced::slides)
         return x[slip];
+      break;
+    case event::yielding:
+      if constexpr (Reduced::flows)
+        if (piece == 0)
+          return x[largest_coordinate] - x[Reduced::coordinate];
       break;
     }
     return T(1);
@@ -151,7 +161,7 @@ public:
   found_event<state_type, real> first(Method& method, const state_type& x, const attempt<state_type, real>& tried) {
     found_event<state_type, real> found{std::nullopt, tried.taken, tried.x, true};
     for (const event which : {event::letting_go, event::zero_force, event::turning, event::leaving_below,
-                              event::leaving_above, event::rolling}) {
+                              event::leaving_above, event::rolling, event::yielding}) {
       if (!armed_[std::size_t(which)] || value_of(value(which, found.x)) > real(0))
         continue;
       if (!(value_of(value(which, x)) > real(0)))

@@ -12,10 +12,18 @@ struct flow {
   using real = real_of<number>;
 
   const Reduced& model;
-  int piece = 0;        ///< of the crack law; held during a step, so that every step is smooth
+  int piece = 0;        ///< of the crack law, or 1 while plastic flow goes on; held during a step: steps are smooth
   bool sliding = false; ///< of the contact point; held likewise
   bool outside = false; ///< set when a stage left the domain of the equations; its step has to be rejected
   long evaluations = 0;
+
+  /// Plastic flow begins or ends. Where it begins, radius and largest radius are the same in every digit and
+  /// derivative.
+  void set_plastic(bool begins, state_type& x) requires Reduced::flows {
+    piece = begins ? 1 : 0;
+    if (begins)
+      x[largest_coordinate] = x[Reduced::coordinate];
+  }
 
   void operator()(const state_type& x, state_type& dx, const real&) {
     ++evaluations;

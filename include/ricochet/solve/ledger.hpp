@@ -11,7 +11,7 @@ class ledger {
   using T = typename Reduced::number;
   using real = real_of<T>;
   using state_type = typename Reduced::state_type;
-  using part = configuration<reduced<T>>;
+  using part = typename Reduced::part;
 
 public:
   explicit ledger(const Reduced& model) : model_(model) {}
@@ -37,12 +37,17 @@ public:
   /// The collision has ended; of separated bodies, what was stored has been booked as lost.
   void close(const part& c, bool separated) {
     remaining_ = model_.kinetic_energy(c.rate);
-    if (!separated)
+    excess_ = remaining_;
+    if (!separated) {
       remaining_ += model_.potential(c);
+      excess_ = remaining_ - model_.exit_energy(c);
+    }
   }
 
   /// Kinetic + elastic + surface energy at the ending, and the largest energy met, kinetic or potential.
   const T& remaining() const { return remaining_; }
+  /// What exceeds the energy of a contact that lets go: of separated bodies all, negative when captured.
+  const T& excess() const { return excess_; }
   const real& largest() const { return largest_; }
 
   /// What has been lost so far, at the edge and in the bulk, jumps included.
@@ -59,21 +64,32 @@ public:
       return relaxed_;
   }
 
+  T plastic_loss_at([[maybe_unused]] const state_type& x) const {
+    if constexpr (Reduced::flows)
+      return x[plastic_loss];
+    else
+      return T(0);
+  }
+
   /// Where the model asks for it: losses and what remains in units of the initial kinetic energy.
   template <class Outcome>
   void report(Outcome& out, const state_type& x) const {
+    if constexpr (Reduced::flows) {
+      out.plastic_loss = plastic_loss_at(x) / initial_;
+      out.residual_approach = model_.at(x, 0).c.shape.residual_approach;
+    }
     if constexpr (Reduced::model_type::asked.ledger) {
       const T crack = crack_loss_at(x), bulk = bulk_loss_at(x);
       out.crack_loss = crack / initial_;
       out.bulk_loss = bulk / initial_;
       out.remaining_energy = remaining_ / initial_;
-      out.ledger_residual = (initial_ - remaining_ - crack - bulk) / largest_;
+      out.ledger_residual = (initial_ - remaining_ - crack - bulk - plastic_loss_at(x)) / largest_;
     }
   }
 
 private:
   const Reduced& model_;
-  T initial_ = T(0), jumps_ = T(0), relaxed_ = T(0), remaining_ = T(0);
+  T initial_ = T(0), jumps_ = T(0), relaxed_ = T(0), remaining_ = T(0), excess_ = T(0);
   real largest_ = 0;
 };
 

@@ -89,7 +89,7 @@ public:
 
   void turned(const Reduced& model, const state_type& x, int piece) {
     if constexpr (asked.extremes) {
-      const T approach = model.at(x, piece).c.approach;
+      const T approach = model.whole_approach(model.at(x, piece).c);
       if (value_of(approach) > value_of(parts_.approach))
         parts_.approach = approach;
     }
@@ -113,28 +113,30 @@ private:
   }
 
   void record_row(const Reduced& model, const ledger<Reduced>& books, const state_type& x,
-                  const configuration<reduced<T>>& c) {
+                  const typename Reduced::part& c) {
     const auto put = [](std::vector<double>& column, const T& value) {
       column.push_back(static_cast<double>(value_of(value)));
     };
     const bool touching = value_of(c.radius) > real(0);
     put(rows_.time, x[elapsed_time]);
-    put(rows_.mutual_approach, c.approach);
+    put(rows_.mutual_approach, model.whole_approach(c));
     put(rows_.approach_rate, c.rate);
     put(rows_.contact_radius, c.radius);
     put(rows_.elastic_force, model.static_force(c));
     put(rows_.damping_force, touching ? T(model.damping_force(c) + model.rebound_force(c)) : T(0));
     put(rows_.kinetic_energy, model.kinetic_energy(c.rate));
-    put(rows_.elastic_energy, model.elastic.stored_energy(model.pair, c));
+    put(rows_.elastic_energy, model.elastic.stored_energy(model.pair_of(c), c));
     put(rows_.surface_energy, model.surface_energy(c));
     if constexpr (asked.ledger) {
       put(rows_.crack_loss, books.crack_loss_at(x));
       put(rows_.bulk_loss, books.bulk_loss_at(x));
+      if constexpr (Reduced::flows)
+        put(rows_.plastic_loss, books.plastic_loss_at(x));
     }
   }
 
   [[no_unique_address]] std::conditional_t<asked.extremes, extremes_part, nothing> parts_;
-  [[no_unique_address]] std::conditional_t<asked.trajectory, trajectory_columns<std::vector<double>>,
+  [[no_unique_address]] std::conditional_t<asked.trajectory, detail::columns_of<Reduced::flows, std::vector<double>>,
                                            detail::nothing<9>>
       rows_;
 };

@@ -6,21 +6,19 @@
 #include <cmath>
 #include <limits>
 
-namespace ricochet::detail {
+namespace ricochet {
 
-/// The outcome of the elastic motion, with the plastic loss added [Krijt 2013 (30)]: e^2 = e_A^2 - loss, captured where
-/// nothing is left.
-template <class Model>
-outcome_of<Model> with_plastic_loss(const Model& model, speed v, const outcome_of<elastic_part<Model>>& elastic) {
-  outcome_of<Model> out{elastic};
-  out.plastic_loss = model.plasticity.loss(model.pair, v);
-  if constexpr (Model::asked.ledger)
-    out.remaining_energy -= out.plastic_loss;
-  if (!elastic.restitution || out.plastic_loss == 0)
-    return out;
-  const double e = *elastic.restitution, left = e * e - out.plastic_loss;
-  const double error = 2 * e * elastic.error_estimate + 4 * std::numeric_limits<double>::epsilon(); // of left
-  out.ending_is_certain = elastic.ending_is_certain && std::abs(left) > 2 * error;
+/// Adds the loss of plastic flow, in units of the initial kinetic energy, to the outcome of an elastic motion [Krijt
+/// 2013 (30)]: e^2 = e_A^2 - loss, captured where nothing is left.
+template <class Outcome>
+void add_plastic_loss(Outcome& out, double loss) {
+  if constexpr (requires { out.remaining_energy; })
+    out.remaining_energy -= loss;
+  if (!out.restitution || loss == 0)
+    return;
+  const double e = *out.restitution, left = e * e - loss;
+  const double error = 2 * e * out.error_estimate + 4 * std::numeric_limits<double>::epsilon(); // of left
+  out.ending_is_certain = out.ending_is_certain && std::abs(left) > 2 * error;
   if (left > 0) {
     out.restitution = std::sqrt(left);
     out.error_estimate = std::min(error / (2 * *out.restitution), std::sqrt(error));
@@ -29,7 +27,16 @@ outcome_of<Model> with_plastic_loss(const Model& model, speed v, const outcome_o
     out.ending = ending::captured;
     out.error_estimate = -left < 2 * error ? std::sqrt(error) : 0;
   }
-  return out;
 }
 
-} // namespace ricochet::detail
+namespace detail {
+template <class Model>
+outcome_of<Model> with_plastic_loss(const Model& model, speed v, const outcome_of<elastic_part<Model>>& elastic) {
+  outcome_of<Model> out{elastic};
+  out.plastic_loss = model.plasticity.loss(model.pair, v);
+  add_plastic_loss(out, out.plastic_loss);
+  return out;
+}
+} // namespace detail
+
+} // namespace ricochet
