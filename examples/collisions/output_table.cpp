@@ -45,7 +45,7 @@ struct output_column {
   std::string (*text)(const outcome&);
 };
 
-constexpr std::array<output_column, 26> columns{{
+constexpr std::array<output_column, 27> columns{{
     {"ending", "text", "separated | captured | unresolved | failed",
      [](const outcome& out) -> std::string { return ricochet::name_of(out.ending); }},
     {"restitution", "1", "speed of separation over that of approach, along the normal; 0 when captured", restitution},
