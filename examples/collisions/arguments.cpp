@@ -35,8 +35,9 @@ LAWS for the column model
   greenwood, greenwood_fit   finite speed of the adhesive edge, with jkr: exact, or as published; one of them
   kuwabara_kono, hunt_crossley, tsuji
                              damping in the bulk; one of them
-  coulomb                    friction of oblique impacts and spinning bodies
-  thornton_ning              plastic flow, its loss added to those of the motion; not with coulomb
+  coulomb, mindlin           friction of oblique impacts and spinning bodies: slides or rolls as a whole, or sticks and
+                             slips at once (not with jkr; with the automatic stepper only); one of them
+  thornton_ning              plastic flow, its loss added to those of the motion; not with these
   end_at_zero_force, end_at_zero_overlap
                              where a contact without adhesion ends; at zero force if none is named
 

@@ -18,7 +18,7 @@ struct input_column {
   const char* needed_by;
 };
 
-constexpr std::array<input_column, 26> columns{{
+constexpr std::array<input_column, 27> columns{{
     {"model", "", "every collision: law names joined by +, in any order"},
     {"radius_1", "m", "every collision"},
     {"radius_2", "m", "every collision; inf is a flat wall"},
@@ -29,8 +29,8 @@ constexpr std::array<input_column, 26> columns{{
     {"poissons_ratio_1", "1", "every collision, from 0 to less than 0.5"},
     {"poissons_ratio_2", "1", "every collision, from 0 to less than 0.5"},
     {"speed", "m/s", "every collision: of the bodies relative to each other, at first touch"},
-    {"angle", "degrees", "oblique impacts: between velocity and normal, 0 to less than 90; needs coulomb"},
-    {"spin_1", "rad/s", "spinning bodies: > 0 where it would roll forward along the other; needs coulomb"},
+    {"angle", "degrees", "oblique impacts: between velocity and normal, 0 to less than 90; needs friction"},
+    {"spin_1", "rad/s", "spinning bodies: > 0 where it would roll forward along the other; needs friction"},
     {"spin_2", "rad/s", "likewise; not of a wall"},
     {"work_of_adhesion", "J/m^2", "jkr, dmt: of the pair, twice the surface free energy for like bodies"},
     {"line_force", "N/m", "line_force: ring force per length of the contact's edge"},
@@ -43,7 +43,8 @@ constexpr std::array<input_column, 26> columns{{
     {"hunt_crossley_coefficient", "s/m", "hunt_crossley; or zeta_h"},
     {"zeta_h", "1", "hunt_crossley: Brach and Dunn's damping ratio, likewise"},
     {"tsuji_coefficient", "1", "tsuji"},
-    {"friction", "1", "coulomb: coefficient of friction"},
+    {"friction", "1", "coulomb, mindlin: coefficient of friction"},
+    {"stiffness_ratio", "1", "mindlin: along the surface over along the normal; that of the solids if blank"},
     {"yield_strength", "Pa", "thornton_ning: of the weaker body"},
 }};
 

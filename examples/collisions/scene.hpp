@@ -13,6 +13,7 @@
 #include <ricochet/law/end.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
+#include <ricochet/law/tangential/mindlin.hpp>
 
 #include <cmath>
 #include <variant>
@@ -31,7 +32,7 @@ struct scene {
   std::variant<no_law, ricochet::jkr, ricochet::line_force, ricochet::dmt> adhesion;
   std::variant<no_law, ricochet::greenwood, ricochet::greenwood_fit> crack;
   std::variant<no_law, ricochet::kuwabara_kono, ricochet::hunt_crossley, ricochet::tsuji> damping;
-  std::variant<no_law, ricochet::coulomb> tangential;
+  std::variant<no_law, ricochet::coulomb, ricochet::mindlin> tangential;
   std::variant<no_law, ricochet::thornton_ning> plasticity;
   std::variant<no_law, ricochet::end_at_zero_overlap> end; ///< none: at zero force, the library's default
 

@@ -50,6 +50,8 @@ ricochet::inverse_speed read_ratio(const row& row, const std::string& column, co
   return ricochet::closed_form::damping_coefficient_of_brach_dunn(ratio, scene.pair, scene.normal_speed());
 }
 
+ricochet::material read_material(const row& row, const std::string& body, bool with_density);
+
 /// The law with its parameters from the row, each within the range that the law states. Bodies and motion of the scene
 /// have been read.
 template <class Law>
@@ -62,6 +64,12 @@ Law read_law(const row& row, const scene& scene, std::string_view name) {
     if constexpr (std::is_same_v<quantity, ricochet::inverse_speed>) {
       if (!ratio.empty() && !row.is_blank(ratio)) {
         value = read_ratio(row, column, ratio, scene, name);
+        return;
+      }
+    }
+    if constexpr (std::is_same_v<Law, ricochet::mindlin>) {
+      if (column == "stiffness_ratio" && row.is_blank(column)) {
+        value = ricochet::stiffness_ratio_of(read_material(row, "1", false), read_material(row, "2", false));
         return;
       }
     }
@@ -88,7 +96,7 @@ constexpr known_law law_in(std::string_view name) {
           [](scene& scene, const row& row, std::string_view self) { scene.*Role = read_law<Law>(row, scene, self); }};
 }
 
-constexpr std::array<known_law, 13> laws{{
+constexpr std::array<known_law, 14> laws{{
     law_in<ricochet::hertz, &scene::elastic>("hertz"),
     law_in<ricochet::jkr, &scene::adhesion>("jkr"),
     law_in<ricochet::line_force, &scene::adhesion>("line_force"),
@@ -99,6 +107,7 @@ constexpr std::array<known_law, 13> laws{{
     law_in<ricochet::hunt_crossley, &scene::damping>("hunt_crossley"),
     law_in<ricochet::tsuji, &scene::damping>("tsuji"),
     law_in<ricochet::coulomb, &scene::tangential>("coulomb"),
+    law_in<ricochet::mindlin, &scene::tangential>("mindlin"),
     law_in<ricochet::thornton_ning, &scene::plasticity>("thornton_ning"),
     {"end_at_zero_force", ricochet::count_roles<ricochet::end_at_zero_force>(),
      [](scene&, const row&, std::string_view) {}}, // is the default
@@ -134,6 +143,7 @@ void add(ricochet::role_count& sum, const ricochet::role_count& n) {
   sum.tangential += n.tangential;
   sum.plasticity += n.plasticity;
   sum.flow += n.flow;
+  sum.stick_slip += n.stick_slip;
 }
 
 /// The laws named, which go together.
@@ -173,7 +183,7 @@ ricochet::contact_pair read_pair(const row& row) {
 void read_motion(const row& row, bool with_friction, scene& scene) {
   constexpr ricochet::range quarter_turn{.high = 90};
   constexpr ricochet::range any{.low = -std::numeric_limits<double>::max()};
-  constexpr const char* add_friction = "needs friction: add coulomb to the model";
+  constexpr const char* add_friction = "needs friction: add coulomb or mindlin to the model";
   const bool wall = std::isinf(ricochet::in_si(scene.pair.bodies.radius_2));
   // Zero if blank; anything else is refused where there is a reason.
   const auto read = [&](const std::string& column, const ricochet::range& allowed, const std::string& refusal) {

@@ -1,6 +1,7 @@
-// The composition of a scene's laws: walks the roles once and composes what is there. Friction is in every model, with
-// a coefficient of zero where the scene has none: it then changes nothing, and only half the models are to be compiled.
-// The loss of plastic flow is added to the outcome, so that it needs no model of its own.
+// The composition of a scene's laws: walks the roles once and composes what is there. Coulomb's friction is in every
+// model, with a coefficient of zero where the scene has none: it then changes nothing, and only half the models are to
+// be compiled. Models with stick and slip are compiled for one stepper only. The loss of plastic flow is added to the
+// outcome, so that it needs no model of its own.
 #pragma once
 #include "solve.hpp"
 
@@ -25,14 +26,17 @@ template <class... Damping>
 struct damped_by {};
 using all_damping = damped_by<no_law, ricochet::kuwabara_kono, ricochet::hunt_crossley, ricochet::tsuji>;
 
-/// \throws std::logic_error for laws that do not go together, or for damping compiled elsewhere.
-template <class Stepper, class... Damping>
+/// \throws ricochet::bad_input for a scene with another tangential law, std::logic_error for laws that do not go
+/// together or for damping compiled elsewhere.
+template <class Stepper, class Tangential, class... Damping>
 outcome solve_with(const scene& scene, double tolerance, damped_by<Damping...>) {
+  const auto* friction = std::get_if<Tangential>(&scene.tangential);
+  if (!friction && !std::holds_alternative<no_law>(scene.tangential))
+    throw ricochet::bad_input("mindlin goes with the automatic stepper only");
   const auto solve_composed = [&]<class... Laws>(const Laws&... laws) -> outcome {
-    if constexpr (ricochet::composable<Laws...>) {
-      const auto* friction = std::get_if<ricochet::coulomb>(&scene.tangential);
+    if constexpr (ricochet::composable<Laws..., Tangential>) {
       const auto model =
-          ricochet::compose(scene.pair, laws..., friction ? *friction : ricochet::coulomb{}, ricochet::energy_ledger{},
+          ricochet::compose(scene.pair, laws..., friction ? *friction : Tangential{}, ricochet::energy_ledger{},
                             ricochet::contact_duration{}, ricochet::extremes{}, ricochet::regime_warnings{});
       const auto out = ricochet::collide(
           model,

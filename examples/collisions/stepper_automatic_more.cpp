@@ -4,8 +4,8 @@
 namespace collisions {
 
 outcome solve_automatic_more(const scene& scene, double tolerance) {
-  return solve_with<ricochet::stepper::automatic>(scene, tolerance,
-                                                  damped_by<ricochet::hunt_crossley, ricochet::tsuji>{});
+  return solve_with<ricochet::stepper::automatic, ricochet::coulomb>(
+      scene, tolerance, damped_by<ricochet::hunt_crossley, ricochet::tsuji>{});
 }
 
 } // namespace collisions

@@ -1,4 +1,4 @@
-# What the figures of both papers share: draw(name, width, height) opens <directory>/<name>.svg or .png, by `format`.
+# What the figures of the papers share: draw(name, width, height) opens <directory>/<name>.svg or .png, by `format`.
 if (!exists("directory")) directory = 'out/figures'
 csv(name) = directory . '/' . name . '.csv'
 svg(name, w, h) = sprintf("set terminal svg size %d,%d font 'Helvetica,14' background '#ffffff'; set output '%s/%s.svg'", w, h, directory, name)

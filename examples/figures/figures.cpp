@@ -1,5 +1,6 @@
-// The numbers behind the figures of Krijt et al. 2013 and of Brach & Dunn 1995, each computed anew, one CSV file a
-// figure; krijt_2013.gp and brach_dunn_1995.gp draw them. Krijt's figure 4 is drawn from restitution_curves.csv.
+// The numbers behind the figures of Krijt et al. 2013 and of Brach & Dunn 1995, each computed anew, and behind one of
+// the measurements of Kharaz et al. 2001, one CSV file a figure; the .gp files of the same names draw them. Krijt's
+// figure 4 is drawn from restitution_curves.csv.
 //
 // usage: figures [output directory]
 #include "figures.hpp"
@@ -17,6 +18,7 @@ int main(int count, char** arguments) {
     const auto begin = std::chrono::steady_clock::now();
     figures::krijt_2013(directory);
     figures::brach_dunn_1995(directory);
+    figures::kharaz_2001(directory);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     std::printf("computed in %.1f s; written to %s\n", taken.count(), directory.c_str());
   } catch (const std::exception& error) {

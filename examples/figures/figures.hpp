@@ -1,4 +1,4 @@
-// What the figures of both papers share.
+// What the figures of the papers share.
 #pragma once
 #include <ricochet/ricochet.hpp>
 
@@ -49,5 +49,6 @@ inline std::vector<double> logarithmic(double low, double high, std::size_t n) {
 
 void krijt_2013(const std::string& directory);
 void brach_dunn_1995(const std::string& directory);
+void kharaz_2001(const std::string& directory);
 
 } // namespace figures

@@ -194,6 +194,23 @@ check "no rebound coefficient is one of zero" all '[ "$(cell 3 restitution)" = "
 oblique "$(on_wall hertz+jkr+coulomb angle=30 speed=0.01)"
 check "captured: friction's columns are filled, but the angle of rebound" all 'status_is 0' 'row_is 1 captured' \
   'cell_is 1 rebound_angle ""' '[ -n "$(cell 1 rolls)" ]' '[ -n "$(cell 1 tangential_speed)" ]'
+for each in hertz+mindlin hertz+tsuji+end_at_zero_overlap+mindlin hertz+kuwabara_kono+dmt+mindlin \
+  hertz+line_force+hunt_crossley+mindlin; do
+  oblique "$(on_wall $each angle=70 friction=0.02)" "$(on_wall ${each/mindlin/coulomb} angle=70 friction=0.02)" \
+    "$(on_wall $each angle=20)" "$(on_wall ${each/mindlin/coulomb} angle=20)"
+  check "$each: coulomb's where it slides throughout, springs where that rolls" all 'status_is 0' \
+    'near "$(cell 1 tangential_speed)" "$(cell 2 tangential_speed)" 1e-6' \
+    'near "$(cell 3 restitution)" "$(cell 4 restitution)" 1e-8' 'cell_is 4 rolls 1' \
+    'cell_is 3 rolls 0' 'holds "$(cell 3 impulse_ratio) != $(cell 4 impulse_ratio)"'
+done
+oblique "$(on_wall hertz+mindlin angle=20)"
+with_its_solids=$(cell 1 tangential_speed)
+solve < <(echo "$names_of_friction,stiffness_ratio"
+  for ratio in "" 0.8826815642458101 1; do echo "$(on_wall hertz+mindlin angle=20),$ratio"; done)
+check "stiffness_ratio: that of the solids if blank" all 'status_is 0' '[ "$(cell 1 tangential_speed)" = "$with_its_solids" ]' \
+  'near "$(cell 2 tangential_speed)" "$with_its_solids" 1e-9' '[ "$(cell 3 tangential_speed)" != "$with_its_solids" ]'
+solve --stepper dopri5 < <(echo "$names_of_friction"; on_wall hertz+mindlin angle=20)
+check "mindlin with another stepper" all 'status_is 1' 'row_is 1 failed' 'says "mindlin goes with the automatic stepper only"'
 solve < <(echo model,radius_1,radius_2,density_1,youngs_modulus_1,youngs_modulus_2,poissons_ratio_1,poissons_ratio_2,friction,speed
   echo hertz+coulomb,1e-3,inf,1000,7e9,7e9,0.25,0.25,0.1,1e-3)
 check "columns of angle and spins may be missing" all 'status_is 0' 'row_is 1 separated' 'cell_is 1 spin_1_after 0'
@@ -205,11 +222,11 @@ bad_oblique() {
   check "$1" all 'status_is 1' 'says "collisions: line 2$message"' 'row_is 1 failed' 'friction_cells_are_blank 1' \
     'row_is 2 separated' '[ "$(wc -l <"$work/err")" = 1 ]'
 }
-bad_oblique "angle without friction" ', column angle, value "10": an oblique impact needs friction: add coulomb to the model' \
+bad_oblique "angle without friction" ', column angle, value "10": an oblique impact needs friction: add coulomb or mindlin to the model' \
   "$(on_wall hertz angle=10)"
-bad_oblique "spin without friction" ', column spin_1, value "-3": a spin needs friction: add coulomb to the model' \
+bad_oblique "spin without friction" ', column spin_1, value "-3": a spin needs friction: add coulomb or mindlin to the model' \
   "$(on_wall hertz spin_1=-3)"
-bad_oblique "second spin without friction" ', column spin_2, value "1": a spin needs friction: add coulomb to the model' \
+bad_oblique "second spin without friction" ', column spin_2, value "1": a spin needs friction: add coulomb or mindlin to the model' \
   "$(spheres hertz spin_2=1)"
 bad_oblique "spinning wall" ', column spin_2, value "1": a flat wall does not spin: leave it blank or 0' \
   "$(on_wall hertz+coulomb spin_2=1)"
@@ -236,6 +253,10 @@ bad_oblique "neither ratio nor coefficient" \
   "$(on_wall hertz+hunt_crossley hunt_crossley_coefficient=)"
 bad_oblique "negative damping ratio" ', column zeta_h, value "-1": zeta_h = -1 is outside [0, inf)' \
   "$(on_wall hertz+hunt_crossley hunt_crossley_coefficient= zeta_h=-1)"
+bad_oblique "stick and slip with jkr" ', column model, value "hertz+jkr+mindlin": a tangential law with stick and slip' \
+  "$(on_wall hertz+jkr+mindlin)"
+bad_oblique "no friction coefficient of mindlin" ', column friction, value "": blank, but needed by mindlin' \
+  "$(on_wall hertz+mindlin friction=)"
 bad_oblique "two adhesion laws" ', column model, value "hertz+jkr+dmt": two adhesion laws were given' "$(on_wall hertz+jkr+dmt)"
 bad_oblique "crack law with an attraction" ', column model, value "hertz+dmt+greenwood": a crack-velocity law needs' \
   "$(on_wall hertz+dmt+greenwood)"

@@ -9,6 +9,7 @@
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/law/plasticity/thornton_ning_contact.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
+#include <ricochet/law/tangential/mindlin.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -60,12 +61,16 @@ static_assert(!composable<hertz, jkr, greenwood, greenwood_fit> && !composable<h
 static_assert(!composable<hertz, end_at_zero_force, end_at_zero_overlap>);
 static_assert(composable<linear> && composable<linear, linear_dashpot, a> && composable<hertz, jkr, linear_dashpot>);
 static_assert(composable<linear, dmt, tsuji> && composable<linear, line_force> && !composable<linear, hertz>);
+static_assert(composable<linear, coulomb, linear_dashpot> && !composable<linear, mindlin>);
 static_assert(!composable<linear, jkr> && !composable<linear, jkr, greenwood> && !composable<linear, thornton_ning>);
 static_assert(composable<hertz, thornton_ning_contact, a> && composable<tsuji, thornton_ning_contact, jkr, hertz>);
 static_assert(composable<hertz, jkr, greenwood, thornton_ning> && composable<hertz, dmt, thornton_ning>);
 static_assert(!composable<hertz, jkr, greenwood, thornton_ning_contact>);
 static_assert(!composable<hertz, dmt, thornton_ning_contact> && !composable<hertz, coulomb, thornton_ning_contact>);
 static_assert(!composable<hertz, thornton_ning, thornton_ning_contact> && !composable<hertz, coulomb, thornton_ning>);
+static_assert(composable<hertz, mindlin> && composable<hertz, dmt, mindlin, tsuji> && composable<hertz, jkr, coulomb>);
+static_assert(!composable<hertz, jkr, mindlin> && !composable<hertz, jkr, greenwood, mindlin>);
+static_assert(!composable<hertz, mindlin, coulomb> && !composable<hertz, mindlin, thornton_ning>);
 
 static_assert(count_roles<linear>().edgeless == 1 && count_roles<hertz, jkr>().edgeless == 0);
 static_assert(count_roles<jkr, hertz, tsuji, extremes>().adhesion == 1);
@@ -73,6 +78,7 @@ static_assert(count_roles<jkr, hertz, tsuji, extremes>().crack == 0);
 static_assert(count_roles<greenwood, greenwood_fit>().crack == 2);
 static_assert(count_roles<thornton_ning, coulomb>().plasticity == 1 && count_roles<thornton_ning>().flow == 0);
 static_assert(count_roles<thornton_ning_contact>().plasticity == 1 && count_roles<thornton_ning_contact>().flow == 1);
+static_assert(count_roles<coulomb, mindlin>().tangential == 2 && count_roles<coulomb, mindlin>().stick_slip == 1);
 static_assert(count_roles<jkr, dmt>().adhesion == 2 && count_roles<jkr, dmt>().attraction == 1);
 
 } // namespace
@@ -98,4 +104,33 @@ BOOST_AUTO_TEST_CASE(the_table_of_refusals) {
   BOOST_TEST(failed == 0);
   BOOST_TEST(accepted ==
              2 * (3 * 5 + 3)); // each contact alone, with friction, with added plastic loss; three with flow
+}
+
+BOOST_AUTO_TEST_CASE(the_table_of_refusals_with_friction_and_plastic_flow) {
+  int accepted = 0;
+  for (int i = 0; i < 72; ++i) { // with one elastic law; friction: none, coulomb, mindlin, two laws
+    const int attraction = i % 3 == 2, crack = i / 3 % 2, friction = i / 6 % 4, plasticity = i / 24 % 3;
+    const role_count n{.elastic = 1,
+                       .adhesion = i % 3 != 0,
+                       .crack = crack,
+                       .attraction = attraction,
+                       .tangential = friction == 3 ? 2 : friction != 0,
+                       .plasticity = plasticity,
+                       .stick_slip = friction >= 2};
+    const std::string_view sentence = refusal(n);
+    const auto says = [&](std::string_view words) { return sentence.find(words) != sentence.npos; };
+    const bool surface_energy = i % 3 == 1;
+    const bool legal = (!crack || surface_energy) && friction < 3 && plasticity < 2 && !(friction && plasticity) &&
+                       !(friction == 2 && surface_energy);
+    BOOST_TEST_CONTEXT(i << ": " << sentence) {
+      BOOST_TEST(sentence.empty() == legal);
+      BOOST_TEST((legal || (says("two tangential laws") && friction == 3) ||
+                  (says("two plasticity laws") && plasticity == 2) ||
+                  (says("plastic flow is added to the normal motion only") && friction && plasticity) ||
+                  (says("stick and slip needs a Hertzian contact") && friction == 2 && surface_energy) ||
+                  (says("needs an adhesion law with a surface energy") && crack && !surface_energy)));
+    }
+    accepted += legal;
+  }
+  BOOST_TEST(accepted == 14);
 }

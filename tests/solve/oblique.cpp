@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(bodies_keep_momentum_and_never_gain_energy) {
   scenes source(111);
   random_vectors vectors;
   int rolling = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < 100000; ++i) {
     const scene s = source.next();
     const double v = in_si(s.speed), friction = i % 7 == 0 ? 0 : 0.001 * std::pow(10., i % 5);
     spatial_impact impact{.normal = vectors.next(1), .velocity = vectors.next(v)};
@@ -241,6 +241,27 @@ BOOST_AUTO_TEST_CASE(wrong_impacts_are_refused) {
   BOOST_CHECK_THROW(collide(model, oblique_impact{.speed = -1.0 * metres_per_second}), bad_input);
   const auto smooth = compose(glass_on_steel(10), hertz{});
   BOOST_CHECK_THROW(collide(smooth, impact{1.0 * metres_per_second, 1.0 * metres_per_second}), bad_input);
+}
+
+BOOST_AUTO_TEST_CASE(a_normal_that_would_turn_too_far_is_warned_of) {
+  const sphere soft{{1e6 * pascals, 0.3, 1000 * kilograms_per_cubic_metre}, 1 * millimetres};
+  const auto impact_at = [](double angle) {
+    return oblique_impact{.speed = 0.1 * metres_per_second, .angle = angle * degrees};
+  };
+  const auto model = compose(between(soft, soft), hertz{}, coulomb{0.1});
+  const auto straight = collide(model, impact_at(0.5)), oblique = collide(model, impact_at(60));
+  BOOST_TEST(straight.normal_turn < 0.01);
+  BOOST_TEST(straight.warnings.empty());
+  BOOST_TEST(oblique.normal_turn > 0.01);
+  BOOST_TEST_REQUIRE(oblique.warnings.size() == 1U);
+  BOOST_TEST(oblique.warnings[0] == "the turn of the normal in contact is " + shown(oblique.normal_turn) +
+                                        " rad: above 0.01 rad, it should not be neglected");
+  const auto in_space =
+      collide(model, spatial_impact{.normal = Vector3d::UnitZ(), .velocity = {0.087, 0, 0.05}}); // about the same
+  BOOST_TEST(in_space.warnings.size() == 1U);
+  // a flat wall's normal does not turn
+  BOOST_TEST(
+      collide(compose(between(soft, flat_wall{soft.solid}), hertz{}, coulomb{0.1}), impact_at(60)).warnings.empty());
 }
 
 BOOST_AUTO_TEST_CASE(the_slip_error_is_bounded_in_units_of_the_slip) { // a small one was once measured by the speed

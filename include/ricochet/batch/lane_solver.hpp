@@ -11,7 +11,7 @@ namespace ricochet {
 /// same formulas, and nothing is asked that has to be watched step by step.
 template <class Model>
 inline constexpr bool runs_in_lanes =
-    !Model::has_crack_law && !Model::slides && !Model::yields && !Model::flows && !Model::asked.ledger &&
+    !Model::has_crack_law && !Model::has_friction && !Model::yields && !Model::flows && !Model::asked.ledger &&
     !Model::asked.duration && !Model::asked.extremes && !Model::asked.trajectory;
 
 /// How one solution of a collision ended; energies in units of the initial kinetic energy.

@@ -32,7 +32,8 @@ consteval bool diagnose() {
                   "bulk damping law: coefficient(pair, configuration) is missing or returns another "
                   "type (law/damping/bulk_damping_law.hpp)");
   if constexpr (plays<L, role::tangential>)
-    static_assert(tangential_law<L>, "tangential law: sliding_force(elastic_force) is missing or returns another type "
+    static_assert(tangential_law<L>, "tangential law: sliding_force(elastic_force) is missing or returns another type; "
+                                     "or, of a contact that sticks and slips, stiffness or largest_stretch "
                                      "(law/tangential/tangential_law.hpp)");
   if constexpr (plays<L, role::plasticity>)
     static_assert(plasticity_law<L> || flowing_law<L>,
@@ -90,6 +91,11 @@ void check_dimensions() {
     (void)[](const Law& law, pair p, energy_per_area w) { (void)speed(law.speed_scale(p, w)); };
   else if constexpr (plays<Law, role::damping>)
     (void)[](const Law& law, pair p, part c) { (void)damping(law.coefficient(p, c)); };
+  else if constexpr (stick_slip_law<Law>)
+    (void)[](const Law& law, pair p, part c) {
+      (void)modulus(law.stiffness(p));
+      (void)length(law.largest_stretch(c.approach));
+    };
   else if constexpr (plays<Law, role::tangential>)
     (void)[](const Law& law, force f) { (void)force(law.sliding_force(f)); };
   else if constexpr (flowing_law<Law>)
@@ -149,12 +155,16 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert(
       n.flow == 0 || n.attraction == 0,
       "plastic flow within the motion goes with an adhesion law with a surface energy: take jkr or thornton_ning");
+  static_assert(n.stick_slip == 0 || n.adhesion == n.attraction,
+                "a tangential law with stick and slip needs a Hertzian contact: drop the adhesion law or take coulomb");
   static_assert(n.end < 2, "two end conditions were given: keep one");
   static_assert(n.crack == 0 || n.adhesion != n.attraction,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
   static_assert(
       n.edgeless == 0 || n.adhesion == n.attraction,
       "an adhesion law with a surface energy needs an elastic law with an edge: take hertz, or dmt or line_force");
+  static_assert(n.edgeless == 0 || n.stick_slip == 0,
+                "stick and slip is that of a Hertzian contact: take hertz or coulomb");
   static_assert(n.edgeless == 0 || n.plasticity == 0,
                 "plastic flow is added to Hertzian contacts only: drop the plasticity law or take hertz");
   static_assert(

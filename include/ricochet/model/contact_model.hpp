@@ -2,6 +2,7 @@
 #include <ricochet/law/adhesion/attraction_law.hpp>
 #include <ricochet/law/end.hpp>
 #include <ricochet/law/plasticity/flowing_law.hpp>
+#include <ricochet/law/tangential/tangential_law.hpp>
 #include <ricochet/model/requests.hpp>
 
 namespace ricochet {
@@ -17,7 +18,9 @@ struct contact_model {
   static constexpr bool adhesive = is_present<Adhesion> && !attracted; ///< adhesion is a work done at the edge
   static constexpr bool damped = is_present<Damping>;
   static constexpr bool has_crack_law = is_present<Crack>;
-  static constexpr bool slides = is_present<Tangential>;
+  static constexpr bool slides = sliding_law<Tangential>;              ///< as a whole, or else rolls
+  static constexpr bool sticks_and_slips = stick_slip_law<Tangential>; ///< both at once, at different places
+  static constexpr bool has_friction = slides || sticks_and_slips;
   static constexpr bool flows = flowing_law<Plasticity>;           ///< plastic flow is part of the motion
   static constexpr bool yields = is_present<Plasticity> && !flows; ///< its loss is added to that of the motion
 

@@ -25,6 +25,7 @@ public:
   static constexpr bool slides = Model::slides;
   static constexpr bool flows = Model::flows;
   using part = std::conditional_t<flows, flattened_configuration<reduced<T>>, configuration<reduced<T>>>;
+  static constexpr bool sticks_and_slips = Model::sticks_and_slips;
 
   basic_pair<reduced<T>> pair;
   [[no_unique_address]] elastic_type elastic;

@@ -36,7 +36,7 @@ public:
   using laws::tangential;
   using typename laws::coordinate_t;
   using typename laws::part;
-  static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || slides;
+  static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || Model::has_friction;
 
   using unknowns = join<variables<coordinate_t, approach_rate_t>, optionally<mutual_approach_t, free_edge>,
                         optionally<elapsed_time_t, keeps_time>, optionally<bulk_loss_t, Model::asked.ledger && damped>,

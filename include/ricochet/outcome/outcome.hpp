@@ -56,9 +56,10 @@ struct extremes_result {
 /// the bodies.
 template <class Speed, class Length, class Duration>
 struct sliding_result {
-  Speed slip{};                   ///< speed at which it still slides; 0 once it rolls
+  Speed slip{};                   ///< speed at which it still slides; < 0 backwards, as an elastic contact may
+  bool sticks = false;            ///< somewhere in the contact; where it is Coulomb's, all of it: it rolls
   double slip_error_estimate = 0; ///< bound of its error, in units of the slip at first touch
-  Length slip_distance{};         ///< over which it has slid
+  Length slip_distance{};         ///< over which it has moved, signed likewise
   Duration elapsed_time{};        ///< since first touch
   Speed approach_rate{};          ///< of the bodies, < 0 when they separate
 };
@@ -107,13 +108,13 @@ using part = std::conditional_t<Wanted, Part, nothing<Place>>;
 } // namespace detail
 
 /// What came out of a collision. The parts that were not asked for in compose() are not there.
-template <class T, class Length, class Duration, class Force, class Speed, requests Asked, bool Slides = false,
+template <class T, class Length, class Duration, class Force, class Speed, requests Asked, bool Friction = false,
           bool Flows = false>
 struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.duration, duration_result<Duration>, 1>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
                        detail::part<Asked.trajectory, trajectory_result<Flows>, 3>,
-                       detail::part<Slides, sliding_result<Speed, Length, Duration>, 4>,
+                       detail::part<Friction, sliding_result<Speed, Length, Duration>, 4>,
                        detail::part<Flows, flow_result<T, Length>, 5>,
                        detail::part<Asked.warnings, warnings_result, 6> {
   ricochet::ending ending = ricochet::ending::failed;
@@ -139,11 +140,11 @@ struct plastic_outcome : Elastic {
 /// The outcome that a contact model gives, in SI units; and on the numbers T of its reduced form.
 template <class Model>
 using elastic_outcome_of =
-    basic_outcome<double, length, duration, force, speed, Model::asked, Model::slides, Model::flows>;
+    basic_outcome<double, length, duration, force, speed, Model::asked, Model::has_friction, Model::flows>;
 template <class Model>
 using outcome_of =
     std::conditional_t<Model::yields, plastic_outcome<elastic_outcome_of<Model>>, elastic_outcome_of<Model>>;
 template <class T, class Model>
-using reduced_outcome_of = basic_outcome<T, T, T, T, T, Model::asked, Model::slides, Model::flows>;
+using reduced_outcome_of = basic_outcome<T, T, T, T, T, Model::asked, Model::has_friction, Model::flows>;
 
 } // namespace ricochet

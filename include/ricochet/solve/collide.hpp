@@ -32,6 +32,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
                         const typename Reduced::number& slip_at_touch, const collide_options& options) {
   using T = typename Reduced::number;
   using real = real_of<T>;
+  using Model = typename Reduced::model_type;
   const real wanted = real(options.tolerance), finest = 4 * std::numeric_limits<real>::epsilon();
   const real refinement = 4, v = value_of(speed), kinetic = v * v * value_of(model.pair.reduced_mass) / 2;
   const real usual_error = real(Stepper::usual_error), loosest = real(Reduced::free_edge ? 1e-6 : 1e-5);
@@ -93,9 +94,9 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
       out.ending_is_certain &= excess > 2 * energy_error && !(fine.near_miss() < miss);
     }
     out.error_estimate = static_cast<double>(error);
-    if constexpr (Reduced::slides)
+    if constexpr (Model::has_friction)
       if (value_of(slip_at_touch) > real(0))
-        out.slip_error_estimate = static_cast<double>(
+        out.slip_error_estimate += static_cast<double>(
             (abs(value_of(out.slip - rough.slip)) * 3 / 2 + by_chance * v) / value_of(slip_at_touch) + round_off);
     if ((error <= wanted && out.ending_is_certain) || last_round)
       return out;
@@ -129,10 +130,11 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
     out.plastic_loss = numbers.plastic_loss;
     out.residual_approach = numbers.residual_approach * unit.length * units::metres;
   }
-  if constexpr (Model::slides) {
+  if constexpr (Model::has_friction) {
     const double metre_per_second = unit.length / unit.duration;
     out.slip = numbers.slip * metre_per_second * units::metres_per_second;
     out.slip_error_estimate = numbers.slip_error_estimate;
+    out.sticks = numbers.sticks;
     out.slip_distance = numbers.slip_distance * unit.length * units::metres;
     out.elapsed_time = numbers.elapsed_time * unit.duration * units::seconds;
     out.approach_rate = numbers.approach_rate * metre_per_second * units::metres_per_second;
@@ -181,7 +183,7 @@ void admit(const impact& impact, const collide_options& options) {
   require("speed", impact.speed, positive);
   require("tolerance", options.tolerance, tolerance_range);
   require("slip", impact.slip, non_negative);
-  if (!Model::slides && in_si(impact.slip) != 0)
+  if (!Model::has_friction && in_si(impact.slip) != 0)
     throw bad_input("slip = " + shown(in_si(impact.slip)) + " m/s needs a tangential law in the model: add coulomb");
 }
 

@@ -4,6 +4,7 @@
 #include <ricochet/solve/event.hpp>
 #include <ricochet/solve/ledger.hpp>
 #include <ricochet/solve/observers.hpp>
+#include <ricochet/solve/stick_slip.hpp>
 
 namespace ricochet {
 
@@ -22,8 +23,8 @@ public:
 
   collision(const Reduced& model, const real& tolerance, long budget)
       : model_(model), flow_{model}, events_(flow_), edge_(model), ledger_(model), capture_(model),
-        tolerance_(tolerance), budget_(budget), longest_step_(model.typical_time() * longest_relative_step(tolerance)) {
-  }
+        stick_slip_(model, tolerance), tolerance_(tolerance), budget_(budget),
+        longest_step_(model.typical_time() * longest_relative_step(tolerance)) {}
   collision(const collision&) = delete;
 
   /// \param slip speed at which the contact point slides at first touch, >= 0; of no consequence without friction
@@ -32,6 +33,7 @@ public:
     state_type x = model_.touch(speed);
     if constexpr (Reduced::slides)
       x[slip] = slip_at_touch;
+    stick_slip_.start(slip_at_touch);
     for (;; ++out_.contacts) {
       touched(x);
       if (capture_.certain() || !follow_contact(x))
@@ -56,9 +58,13 @@ public:
     if constexpr (Reduced::slides) {
       out_.slip = x[slip];
       out_.slip_distance = x[slip_distance];
+      out_.sticks = !flow_.sliding;
+    }
+    if constexpr (Reduced::model_type::has_friction) {
       out_.elapsed_time = x[elapsed_time];
       out_.approach_rate = x[approach_rate];
     }
+    stick_slip_.report(out_);
     ledger_.close(now(x), out_.ending == ending::separated);
     ledger_.report(out_, x);
     observers_.report(out_);
@@ -89,6 +95,7 @@ private:
     if (has_turned_)
       capture_.look(now(x), ledger_);
     observers_.touched(model_, ledger_, x);
+    stick_slip_.touched(x);
   }
 
   /// Integrates until the contact lets go; false where the collision has ended otherwise.
@@ -117,6 +124,7 @@ private:
       }
       if (!found.which) {
         observers_.stepped(flow_, method, ledger_, x, tried.x, tried.taken);
+        stick_slip_.stepped(flow_, method, x, tried.x, tried.taken);
         x = tried.x;
         kink.since += tried.taken;
         h = tried.next;
@@ -143,6 +151,7 @@ private:
         continue;
       }
       observers_.stepped(flow_, method, ledger_, x, found.x, found.part);
+      stick_slip_.stepped(flow_, method, x, found.x, found.part);
       x = found.x;
       kink.since += found.part;
       if (at_kink)
@@ -238,6 +247,7 @@ private:
   ledger<Reduced> ledger_;
   capture<Reduced> capture_;
   [[no_unique_address]] observers<Reduced, method_type> observers_;
+  [[no_unique_address]] stick_slip<Reduced> stick_slip_;
   real tolerance_;
   long budget_;
   real longest_step_;

@@ -27,11 +27,12 @@ struct spatial_outcome {
   outcome_of<Model> normal;
   Eigen::Vector3d velocity, spin_1, spin_2; ///< at the ending, as in spatial_impact; captured: when that was certain
   Eigen::Vector3d slip;                     ///< velocity of the contact point of the first body over the second
-  bool rolls = false;                       ///< at the ending, as does one that never slid
+  bool rolls = false;                       ///< at the ending, as does one that never slid; or sticks somewhere
   double impulse_ratio = 0;                 ///< tangential over normal impulse, >= 0
   double friction_loss = 0;                 ///< in units of the initial kinetic energy of the motion along the normal
   double rotation_1 = 0, rotation_2 = 0;    ///< angle turned during the contact, of the spin along its final axis, rad
   double normal_turn = 0;                   ///< angle by which the normal turns during contact, rad: neglected
+  std::vector<std::string> warnings;        ///< one sentence where that angle is above 0.01
 };
 
 template <class Model>
@@ -44,6 +45,7 @@ struct oblique_outcome {
   bool rolls = false;
   double impulse_ratio = 0, friction_loss = 0; ///< as in spatial_outcome; impulse_ratio > 0 where it slows the motion
   double rotation_1 = 0, rotation_2 = 0, normal_turn = 0;
+  std::vector<std::string> warnings;
 };
 
 namespace detail {
@@ -52,17 +54,18 @@ inline void require_finite(const char* name, const Eigen::Vector3d& vector) {
     require(std::string(name) + "[" + std::to_string(i) + "]", vector[i],
             range{.low = -std::numeric_limits<double>::max(), .low_included = true});
 }
+inline constexpr double negligible_turn = 1e-2; // rad
 } // namespace detail
 
 /// With the given stepper, stepper::automatic unless another is wanted.
 /// \throws bad_input for a vector that is not finite, a normal of no length, bodies that do not approach, and as
 /// collide().
-/// Friction is tangential, so that the contact point slides along one direction until it rolls; homogeneous spheres:
-/// d(slip) = -(7/2) impulse/m*. The normal is held fixed during contact. Source: Brach & Dunn 1995, appendix B, in
-/// space.
+/// Friction is tangential, so that the contact point moves along one direction, of an elastic contact also backwards,
+/// and slip and way are measured along it; homogeneous spheres: d(slip) = -(7/2) impulse/m*. The normal is held fixed
+/// during contact. Source: Brach & Dunn 1995, appendix B, in space.
 template <class Stepper = stepper::automatic, class Model>
 auto collide(const Model& model, const spatial_impact& impact, const collide_options& options = {}, Stepper = {}) {
-  static_assert(Model::slides, "an oblique impact needs a tangential law: add coulomb");
+  static_assert(Model::has_friction, "an oblique impact needs a tangential law: add coulomb");
   detail::require_finite("normal", impact.normal);
   detail::require_finite("velocity", impact.velocity);
   detail::require_finite("spin_1", impact.spin_1);
@@ -87,7 +90,8 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
   out.normal =
       integrate(model, {.speed = closing * units::metres_per_second, .slip = sliding * units::metres_per_second},
                 options, Stepper{});
-  const double still_sliding = std::min(in_si(out.normal.slip), sliding), time = in_si(out.normal.elapsed_time),
+  const double still_sliding = std::clamp(in_si(out.normal.slip), -sliding, sliding),
+               time = in_si(out.normal.elapsed_time),
                rate = out.normal.restitution ? -*out.normal.restitution * closing : in_si(out.normal.approach_rate);
   const double impulse = 2. / 7 * m * (sliding - still_sliding); // on the first body, against the direction
   const Eigen::Vector3d turning = impulse * n.cross(direction);  // each spin changes by -turning r/(2/5 m r^2)
@@ -95,7 +99,7 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
   out.spin_1 = impact.spin_1 - turning * (2.5 / (m1 * r1));
   out.spin_2 = wall ? impact.spin_2 : Eigen::Vector3d(impact.spin_2 - turning * (2.5 / (m2 * r2)));
   out.slip = still_sliding * direction;
-  out.rolls = still_sliding == 0;
+  out.rolls = out.normal.sticks;
   out.impulse_ratio = impulse / (m * (closing - rate));
   out.friction_loss = 2. / 7 * (sliding - still_sliding) * (sliding + still_sliding) / (closing * closing);
   // Impulse over time and twice over time: int J dt = (2/7) m* (slip_0 t - slip distance).
@@ -105,6 +109,9 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
   out.rotation_2 = wall ? 0 : (impact.spin_2 * time - turned * (2.5 / (m2 * r2))).norm();
   const Eigen::Vector3d shift = (impact.velocity - closing * n) * time - impulse_time / m * direction;
   out.normal_turn = wall ? 0 : shift.norm() / (r1 + r2);
+  if (out.normal_turn > detail::negligible_turn)
+    out.warnings.push_back("the turn of the normal in contact is " + shown(out.normal_turn) +
+                           " rad: above 0.01 rad, it should not be neglected");
   return out;
 }
 
@@ -140,6 +147,7 @@ auto collide(const Model& model, const oblique_impact& impact, const collide_opt
   out.rotation_1 = solved.rotation_1;
   out.rotation_2 = solved.rotation_2;
   out.normal_turn = solved.normal_turn;
+  out.warnings = solved.warnings;
   return out;
 }
 
