@@ -12,7 +12,7 @@
 #include <ricochet/law/crack/greenwood_fit.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
-#include <ricochet/study/regime.hpp>
+#include <ricochet/model/regime.hpp>
 #include <ricochet/study/threshold.hpp>
 
 #include <cmath>

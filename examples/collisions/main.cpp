@@ -93,6 +93,7 @@ bool run(const arguments& given) {
 
   scene_reader scenes;
   bool all_went_well = true;
+  long warned = 0;
   for (csv_record record; input.next(record); messages.row_done()) {
     const std::optional<outcome> result = solve_row(columns, record, given, scenes, messages);
     if (result && !is_resolved(*result))
@@ -100,9 +101,13 @@ bool run(const arguments& given) {
     else if (result && !result->ending_is_certain)
       messages.say(fmt::format("line {}: note: so near the threshold of sticking that {} is not certain", record.line,
                                ricochet::name_of(result->ending)));
+    warned += result && is_resolved(*result) && !result->warnings.empty();
     all_went_well = all_went_well && result && is_resolved(*result);
     output.write(row_line(columns, record, result ? &*result : nullptr));
   }
+  if (warned > 0)
+    messages.say(fmt::format("note: {} of the rows {} laws outside their range; see the column warnings", warned,
+                             warned == 1 ? "uses" : "use"));
   output.finish();
   return all_went_well;
 }

@@ -45,7 +45,7 @@ struct output_column {
   std::string (*text)(const outcome&);
 };
 
-constexpr std::array<output_column, 26> columns{{
+constexpr std::array<output_column, 27> columns{{
     {"ending", "text", "separated | captured | unresolved | failed",
      [](const outcome& out) -> std::string { return ricochet::name_of(out.ending); }},
     {"restitution", "1", "speed of separation over that of approach, along the normal; 0 when captured", restitution},
@@ -89,6 +89,8 @@ constexpr std::array<output_column, 26> columns{{
     {"rotation_2", "rad", "angle that the second body turned", friction<&friction_outcome::rotation_2>},
     {"normal_turn", "rad", "angle that the normal would have turned, neglected",
      friction<&friction_outcome::normal_turn>},
+    {"warnings", "text", "a sentence for each law used outside its range; blank if there is none",
+     [](const outcome& out) { return fmt::format("{}", fmt::join(out.warnings, "; ")); }},
 }};
 
 /// The cell as CSV: in quotes where it must be.
@@ -147,7 +149,7 @@ std::string row_line(const header& header, const csv_record& record, const outco
   const bool failed = !result || result->ending == ending::failed;
   for (const output_column& column : columns) {
     if (!failed)
-      line += column.text(*result);
+      line += cell(column.text(*result));
     else if (&column == &columns.front())
       line += ricochet::name_of(ending::failed);
     line += &column == &columns.back() ? '\n' : ',';

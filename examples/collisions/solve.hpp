@@ -13,7 +13,8 @@ namespace collisions {
 
 using normal_outcome =
     ricochet::basic_outcome<double, ricochet::length, ricochet::duration, ricochet::force, ricochet::speed,
-                            ricochet::requests{.ledger = true, .duration = true, .extremes = true}, true>;
+                            ricochet::requests{.ledger = true, .duration = true, .extremes = true, .warnings = true},
+                            true>;
 
 /// What friction did to the bodies: the members of ricochet::oblique_outcome, of any model.
 struct friction_outcome {

@@ -37,7 +37,7 @@ outcome solve_with(const scene& scene, double tolerance, damped_by<Damping...>) 
     if constexpr (ricochet::composable<Laws..., Tangential>) {
       const auto model =
           ricochet::compose(scene.pair, laws..., friction ? *friction : Tangential{}, ricochet::energy_ledger{},
-                            ricochet::contact_duration{}, ricochet::extremes{});
+                            ricochet::contact_duration{}, ricochet::extremes{}, ricochet::regime_warnings{});
       const auto out = ricochet::collide(
           model,
           ricochet::oblique_impact{

@@ -5,6 +5,7 @@
 #include <ricochet/collide.hpp>
 
 #include <ricochet/law/elastic/hertz.hpp>
+#include <ricochet/law/elastic/linear.hpp>
 
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
@@ -12,9 +13,11 @@
 
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
+#include <ricochet/law/crack/maugis_barquins.hpp>
 
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
+#include <ricochet/law/damping/linear_dashpot.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 
 #include <ricochet/law/tangential/coulomb.hpp>
@@ -29,6 +32,8 @@
 #include <ricochet/closed_form/hunt_crossley.hpp>
 #include <ricochet/closed_form/independent_losses.hpp>
 #include <ricochet/closed_form/jkr.hpp>
+#include <ricochet/closed_form/linear.hpp>
+#include <ricochet/closed_form/maugis_dugdale.hpp>
 #include <ricochet/closed_form/regime.hpp>
 #include <ricochet/closed_form/rigid_body.hpp>
 #include <ricochet/closed_form/thornton_ning.hpp>
@@ -36,11 +41,11 @@
 #include <ricochet/closed_form/viscoelastic_hertz.hpp>
 
 #include <ricochet/model/physical_system.hpp>
+#include <ricochet/model/regime.hpp>
 
 #include <ricochet/solve/oblique.hpp>
 #include <ricochet/solve/steppers.hpp>
 
-#include <ricochet/study/regime.hpp>
 #include <ricochet/study/sweep.hpp>
 #include <ricochet/study/table.hpp>
 #include <ricochet/study/threshold.hpp>

@@ -4,6 +4,8 @@
 
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/line_force.hpp>
+#include <ricochet/law/damping/linear_dashpot.hpp>
+#include <ricochet/law/elastic/linear.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 
 #include "support/random_scenes.hpp"
@@ -33,6 +35,16 @@ auto random_batch(const Compose& composed, std::size_t count, unsigned seed = 1)
   return batch;
 }
 
+/// As stiff as a Hertzian contact is at the deepest.
+linear spring_of(const support::scene& s) {
+  const auto unit = scales_of(s.pair, s.speed, energy_per_area{});
+  return {.stiffness = unit.mass / (unit.duration * unit.duration) * newtons_per_metre};
+}
+linear_dashpot dashpot_of(const support::scene& s) {
+  const auto unit = scales_of(s.pair, s.speed, energy_per_area{});
+  return {.damping_coefficient = 0.2 * s.tsuji_coefficient * unit.mass / unit.duration * newtons / metres_per_second};
+}
+
 template <class Function>
 void for_each_kind(const Function& f) {
   f("viscous Hertz", [](const auto& s) { return viscous_hertz(s); });
@@ -42,6 +54,9 @@ void for_each_kind(const Function& f) {
     [](const auto& s) { return static_jkr(s, hunt_crossley{s.hunt_crossley_coefficient}); });
   f("JKR with Tsuji's damping", [](const auto& s) { return static_jkr(s, tsuji{s.tsuji_coefficient}); });
   f("DMT", [](const auto& s) { return viscous_hertz(s, dmt{s.work_of_adhesion}); });
+  f("Hertz with a dashpot", [](const auto& s) { return hertzian(s, dashpot_of(s)); });
+  f("spring with a dashpot and DMT",
+    [](const auto& s) { return compose(s.pair, spring_of(s), dashpot_of(s), dmt{s.work_of_adhesion}); });
   f("ring force", [](const auto& s) { return hunt_crossley_hertz(s, ring_of(s)); });
 }
 
@@ -144,4 +159,14 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused_before_anything_is_computed) {
   BOOST_TEST(!told);
   batch.clear();
   BOOST_TEST(collide(batch).empty());
+}
+
+BOOST_AUTO_TEST_CASE(outcomes_carry_warnings_where_asked_for) {
+  const support::scene s = scenes(1).next();
+  const auto model = viscous_hertz(s, regime_warnings{});
+  const std::vector<impact> impacts{{0.01 * metres_per_second}, {1000.0 * metres_per_second}};
+  const auto outcomes = collide(model, impacts);
+  for (std::size_t i = 0; i < impacts.size(); ++i)
+    BOOST_TEST(outcomes[i].warnings == regime_of(model, impacts[i].speed).warnings());
+  BOOST_TEST(!outcomes[1].warnings.empty());
 }

@@ -1,4 +1,4 @@
-// expects: crack-velocity law: joints, speed_scale, first_ratio, rate or relaxation_time is missing or returns another
+// expects: crack-velocity law: joints, speed_scale, first_ratio or rate is missing or returns another
 // type (law/crack/crack_velocity_law.hpp)
 
 #include "scene.hpp"

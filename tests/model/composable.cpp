@@ -4,6 +4,8 @@
 
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/line_force.hpp>
+#include <ricochet/law/damping/linear_dashpot.hpp>
+#include <ricochet/law/elastic/linear.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/law/plasticity/thornton_ning_contact.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
@@ -57,6 +59,10 @@ static_assert(composable<hertz, line_force, hunt_crossley> && composable<dmt, he
 static_assert(!composable<hertz, line_force, greenwood> && !composable<hertz, dmt, a> && !composable<hertz, dmt, jkr>);
 static_assert(!composable<hertz, jkr, greenwood, greenwood_fit> && !composable<hertz, jkr, jkr>);
 static_assert(!composable<hertz, end_at_zero_force, end_at_zero_overlap>);
+static_assert(composable<linear> && composable<linear, linear_dashpot, a> && composable<hertz, jkr, linear_dashpot>);
+static_assert(composable<linear, dmt, tsuji> && composable<linear, line_force> && !composable<linear, hertz>);
+static_assert(composable<linear, coulomb, linear_dashpot> && !composable<linear, mindlin>);
+static_assert(!composable<linear, jkr> && !composable<linear, jkr, greenwood> && !composable<linear, thornton_ning>);
 static_assert(composable<hertz, thornton_ning_contact, a> && composable<tsuji, thornton_ning_contact, jkr, hertz>);
 static_assert(composable<hertz, jkr, greenwood, thornton_ning> && composable<hertz, dmt, thornton_ning>);
 static_assert(!composable<hertz, jkr, greenwood, thornton_ning_contact>);
@@ -66,6 +72,7 @@ static_assert(composable<hertz, mindlin> && composable<hertz, dmt, mindlin, tsuj
 static_assert(!composable<hertz, jkr, mindlin> && !composable<hertz, jkr, greenwood, mindlin>);
 static_assert(!composable<hertz, mindlin, coulomb> && !composable<hertz, mindlin, thornton_ning>);
 
+static_assert(count_roles<linear>().edgeless == 1 && count_roles<hertz, jkr>().edgeless == 0);
 static_assert(count_roles<jkr, hertz, tsuji, extremes>().adhesion == 1);
 static_assert(count_roles<jkr, hertz, tsuji, extremes>().crack == 0);
 static_assert(count_roles<greenwood, greenwood_fit>().crack == 2);

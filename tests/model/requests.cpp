@@ -18,6 +18,7 @@ static_assert(asked<> == requests{});
 static_assert(asked<energy_ledger> == requests{.ledger = true});
 static_assert(asked<contact_duration> == requests{.duration = true});
 static_assert(asked<extremes> == requests{.extremes = true});
+static_assert(asked<regime_warnings> == requests{.warnings = true});
 static_assert(asked<trajectory> == requests{.trajectory = true});
 static_assert(asked<trajectory, contact_duration> == asked<contact_duration, trajectory>);
 static_assert(asked<trajectory, extremes, contact_duration, energy_ledger> == requests{true, true, true, true});

@@ -93,6 +93,27 @@ BOOST_AUTO_TEST_CASE(restitution_of_viscoelastic_jkr) {
   agrees(model, speed_of);
 }
 
+BOOST_AUTO_TEST_CASE(restitution_of_an_edge_without_bound) {
+  const ice_case ice;
+  const maugis_barquins edge{.reference_speed = 100.0 * metres_per_second, .exponent = 0.6};
+  const auto model = compose(ice.pair, hertz{}, ice.adhesive, edge);
+  agrees(
+      model, [](auto& numbers, auto&) -> auto& { return numbers.crack.reference_speed; });
+  agrees(
+      model, [](auto& numbers, auto&) -> auto& { return numbers.crack.exponent; });
+  agrees(model, speed_of);
+}
+
+BOOST_AUTO_TEST_CASE(restitution_of_a_spring_and_a_dashpot) {
+  const ice_case ice;
+  const auto model =
+      compose(ice.pair, linear{40.0 * newtons_per_metre}, linear_dashpot{1e-7 * newtons / metres_per_second});
+  agrees(
+      model, [](auto& numbers, auto&) -> auto& { return numbers.elastic.stiffness; });
+  agrees(
+      model, [](auto& numbers, auto&) -> auto& { return numbers.damping.damping_coefficient; });
+}
+
 BOOST_AUTO_TEST_CASE(restitution_of_viscous_jkr) {
   const ice_case ice;
   const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.viscous);

@@ -128,6 +128,9 @@ BOOST_AUTO_TEST_CASE(viscoelastic_jkr_fit_scenes) {
 BOOST_AUTO_TEST_CASE(viscoelastic_jkr_scenes) {
   check([](const scene& s) { return viscoelastic_jkr(s); }, number_of_scenes(60), 18);
 }
+BOOST_AUTO_TEST_CASE(power_law_jkr_scenes) {
+  check([](const scene& s) { return power_law_jkr(s); }, number_of_scenes(60), 19);
+}
 
 BOOST_AUTO_TEST_CASE(two_solutions_with_the_same_error_by_chance) {
   shared_by_chance([](const scene& s) { return viscoelastic_jkr_fit(s); }, 17, 781, 1e-9);

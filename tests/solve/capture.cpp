@@ -2,6 +2,8 @@
 
 #include "support/random_scenes.hpp"
 
+#include <ricochet/closed_form/linear.hpp>
+
 using namespace support;
 
 namespace {
@@ -46,6 +48,27 @@ BOOST_AUTO_TEST_CASE(without_adhesion_only_an_overdamped_contact_pulled_to_zero_
   BOOST_TEST(captured_at_rest(tsuji_hertz(s, end_at_zero_overlap{})));
   s.tsuji_coefficient = 2;
   BOOST_TEST(!captured_at_rest(tsuji_hertz(s, end_at_zero_overlap{})));
+  // A spring outgrows Tsuji's damping as the overlap vanishes: never certain, however large the coefficient.
+  const linear spring{40.0 * newtons_per_metre};
+  BOOST_TEST(!captured_at_rest(compose(s.pair, spring, tsuji{1e3}, end_at_zero_overlap{})));
+  for (const double ratio : {0.99, 1., 3.}) {
+    const linear_dashpot dashpot{closed_form::damping_coefficient_of(ratio, s.pair, spring)};
+    BOOST_TEST(captured_at_rest(compose(s.pair, spring, dashpot, end_at_zero_overlap{})) == (ratio >= 1));
+    BOOST_TEST(!captured_at_rest(compose(s.pair, spring, dashpot)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_dashpot_captures_a_hertzian_contact_that_creeps_to_zero_overlap) {
+  scenes source(84);
+  const scene s = source.next();
+  const scales unit = scales_of(s.pair, s.speed, energy_per_area{});
+  // Near zero overlap any dashpot outweighs Hertz's stiffness; a weak one lets a fast rebound pass all the same.
+  for (const double coefficient : {0.2, 2., 20.}) {
+    const linear_dashpot dashpot{coefficient * unit.mass / unit.duration * units::newtons / units::metres_per_second};
+    const auto out = collide(compose(s.pair, hertz{}, dashpot, end_at_zero_overlap{}), impact{s.speed});
+    BOOST_TEST(name_of(out.ending) == (coefficient < 1 ? "separated" : "captured"));
+    BOOST_TEST(out.ending_is_certain);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_slow_contact_that_does_not_turn_is_looked_at_after_many_steps) {

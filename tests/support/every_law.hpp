@@ -5,10 +5,13 @@
 #include <ricochet/law/adhesion/line_force.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
+#include <ricochet/law/crack/maugis_barquins.hpp>
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
+#include <ricochet/law/damping/linear_dashpot.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
+#include <ricochet/law/elastic/linear.hpp>
 #include <ricochet/law/plasticity/thornton_ning_contact.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
 #include <ricochet/law/tangential/mindlin.hpp>
@@ -64,11 +67,16 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
   const line_force_law<S> ring{x.work_of_adhesion, T(0.25)};
   const greenwood_law<S> exact{T(1), T(1) / T(50), T(1), T(1.0078125), shared_table()};
   const greenwood_fit_law<S> fit{T(1), T(1) / T(50), T(1), T(1.0078125)};
+  const maugis_barquins_law<S> power{x.modulus, T(0.625)};
   std::vector<T> values{hertz_law<S>::force(pair, c),
                         hertz_law<S>::stored_energy(pair, c),
                         hertz_law<S>::energy_release_rate(pair, c),
                         hertz_law<S>::load_free_approach(pair, c.radius),
                         hertz_law<S>::load_free_slope(pair, c.radius),
+                        linear_law<S>{x.modulus}.force(pair, c),
+                        linear_law<S>{x.modulus}.stored_energy(pair, c),
+                        linear_law<S>::load_free_approach(pair, c.radius),
+                        linear_law<S>::load_free_slope(pair, c.radius),
                         adhesion.surface_energy(c.radius),
                         adhesion.flattening(pair),
                         adhesion.pull_off_force(pair),
@@ -84,7 +92,8 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
                         exact.speed_scale(pair, x.work_of_adhesion),
                         kuwabara_kono_law<S>{T(0.375)}.coefficient(pair, c),
                         hunt_crossley_law<S>{T(0.25)}.coefficient(pair, c),
-                        tsuji_law<S>{T(0.5)}.coefficient(pair, c)};
+                        tsuji_law<S>{T(0.5)}.coefficient(pair, c),
+                        linear_dashpot_law<S>{x.mass}.coefficient(pair, c)};
   const thornton_ning_contact_law<S> flowing{x.modulus / T(8)};
   const T few = x.work_of_adhesion / T(16);
   const contact_shape<S> shape = flowing.shape(pair, few, x.radius / T(2), x.radius);
@@ -98,6 +107,7 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
     put(fit.rate(x.root_ratio, piece));
   put(rate_anywhere<T>(fit, x.root_ratio));
   put(rate_anywhere<T>(exact, x.root_ratio));
+  put(power.rate(x.root_ratio, 0));
   return values;
 }
 

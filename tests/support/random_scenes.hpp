@@ -4,6 +4,7 @@
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
+#include <ricochet/law/crack/maugis_barquins.hpp>
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
@@ -26,6 +27,8 @@ struct scene {
   double modulus_ratio, tsuji_coefficient;
   length interaction_range;
   inverse_speed hunt_crossley_coefficient;
+  ricochet::speed edge_speed;
+  double edge_exponent;
 };
 
 class scenes {
@@ -53,6 +56,10 @@ public:
     s.interaction_range = log_uniform(2e-10, 4e-10) * metres;
     s.hunt_crossley_coefficient = log_uniform(1e-2, 1) / s.speed;
     s.tsuji_coefficient = log_uniform(1e-2, 2);
+    // drawn from the scene, lest the scenes that follow change: 10 to 2500 radii of JKR's jump in a contact time
+    const double jump = std::cbrt(6.28 * in_si(s.work_of_adhesion) * R * R / E);
+    s.edge_exponent = 0.3 + 0.35 * s.tsuji_coefficient;
+    s.edge_speed = 10 * s.modulus_ratio / 2e-3 * jump / contact_time * metres_per_second;
     return s;
   }
 
@@ -83,6 +90,9 @@ inline auto viscoelastic_jkr(const scene& s, auto... also) {
                                .modulus_ratio = s.modulus_ratio,
                                .interaction_range = s.interaction_range},
                      also...);
+}
+inline auto power_law_jkr(const scene& s, auto... also) {
+  return viscous_jkr(s, maugis_barquins{.reference_speed = s.edge_speed, .exponent = s.edge_exponent}, also...);
 }
 
 /// Strengths from the least that adhesion bears to ten times that: some scenes yield at touch nearly, some not at all.

@@ -94,9 +94,10 @@ public:
       std::size_t left = 0;
       for (std::size_t i = 0; i < count; ++i)
         if (auto out = outcome_of_lanes<Model>(solutions_[2 * i], solutions_[2 * i + 1], tolerance, wanted,
-                                               solver::evaluations_a_step))
-          outcomes[open_[i]] = std::move(*out);
-        else
+                                               solver::evaluations_a_step)) {
+          const auto& [model, impact] = scene_of(open_[i]);
+          outcomes[open_[i]] = warned<Model>(model, impact.speed, std::move(*out));
+        } else
           open_[left++] = open_[i];
       count = left;
     }

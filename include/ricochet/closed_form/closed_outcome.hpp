@@ -1,6 +1,7 @@
 #pragma once
 #include <ricochet/closed_form/hunt_crossley.hpp>
 #include <ricochet/closed_form/jkr.hpp>
+#include <ricochet/closed_form/linear.hpp>
 #include <ricochet/closed_form/tsuji.hpp>
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
@@ -29,6 +30,13 @@ struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, tsuji, absent<role::tangential>,
                                absent<role::plasticity>, End, Asked>> : std::bool_constant<asks_outcome_only<Asked>> {};
+template <class Damping, class End, requests Asked>
+requires(!is_present<Damping> || std::same_as<Damping, linear_dashpot>) //
+    struct is_solved<contact_model<linear, absent<role::adhesion>, absent<role::crack>, Damping,
+                                   absent<role::tangential>, absent<role::plasticity>, End, Asked>>
+    : std::bool_constant<!Asked.ledger && !Asked.extremes && !Asked.trajectory &&
+                         (!Asked.duration || std::same_as<End, end_at_zero_force>)> {
+};
 } // namespace detail
 
 /// A model whose outcome, as far as it is asked for, needs no integration.
@@ -42,7 +50,18 @@ outcome_of<Model> solve(const Model& model, speed v) {
   constexpr bool to_zero_overlap = std::same_as<typename Model::end_condition, end_at_zero_overlap>;
   outcome_of<Model> out;
   double conditioning = 1; // of e with respect to its arguments
-  if constexpr (Model::adhesive) {
+  if constexpr (std::same_as<decltype(Model::elastic), linear>) {
+    linear_dashpot dashpot{};
+    if constexpr (Model::damped)
+      dashpot = model.damping;
+    const linear_impact impact(model.pair, model.elastic, dashpot);
+    if constexpr (to_zero_overlap)
+      out.restitution = impact.restitution_to_zero_overlap();
+    else
+      out.restitution = impact.restitution_to_zero_force();
+    if constexpr (Model::asked.duration)
+      out.contact_duration = impact.contact_duration_to_zero_force();
+  } else if constexpr (Model::adhesive) {
     const energy_per_area w = model.adhesion.work_of_adhesion;
     const double ratio = sticking_speed(model.pair, w) / v;
     out.restitution = restitution(model.pair, w, v);

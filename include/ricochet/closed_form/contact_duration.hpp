@@ -40,9 +40,9 @@ inline double leg(const hunt_crossley_impact& impact, double end) {
       0., 1.);
 }
 
-/// int dt of the elastic scale 0.8 delta_max/v, that is int (exp(-zeta theta) S)^{-1/5} d theta, in two halves, each
-/// from its own end: S(end - phi) = S(end) cos(s phi) - S'(end) S(phi).
-inline double duration(const tsuji_impact& impact, double end, double shape_at_end, double slope_at_end) {
+/// int dt of the elastic scale 0.8 delta_max/v, that is int (exp(-zeta theta) S)^{-1/5} d theta of Tsuji's law, in two
+/// halves, each from its own end: S(end - phi) = S(end) cos(s phi) - S'(end) S(phi).
+inline double duration(const damped_oscillator& impact, double end, double shape_at_end, double slope_at_end) {
   const double zeta = impact.zeta, s = impact.s;
   const double growth = std::exp(zeta * end / 5);
   if (std::isinf(growth))

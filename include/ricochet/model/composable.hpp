@@ -14,10 +14,11 @@
 namespace ricochet {
 
 /// How many laws of each role a composition names; `attraction` of the adhesion laws are forces without an edge, `flow`
-/// of the plasticity laws act within the motion, `stick_slip` of the tangential ones stick and slip at once.
+/// of the plasticity laws act within the motion, `stick_slip` of the tangential ones stick and slip at once, `edgeless`
+/// of the elastic laws have an energy that does not depend on the contact radius.
 struct role_count {
   int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0, attraction = 0, tangential = 0, plasticity = 0,
-      flow = 0, stick_slip = 0;
+      flow = 0, stick_slip = 0, edgeless = 0;
 };
 
 /// Empty if laws in these numbers go together, else the sentence of refusal.
@@ -48,6 +49,12 @@ constexpr std::string_view refusal(const role_count& n) {
     return "two end conditions were given: keep one";
   if (n.crack == 1 && n.adhesion == n.attraction)
     return "a crack-velocity law needs an adhesion law with a surface energy: add jkr";
+  if (n.edgeless == 1 && n.adhesion > n.attraction)
+    return "an adhesion law with a surface energy needs an elastic law with an edge: take hertz, or dmt or line_force";
+  if (n.edgeless == 1 && n.stick_slip == 1)
+    return "stick and slip is that of a Hertzian contact: take hertz or coulomb";
+  if (n.edgeless == 1 && n.plasticity == 1)
+    return "plastic flow is added to Hertzian contacts only: drop the plasticity law or take hertz";
   if (n.end == 1 && n.adhesion == 1)
     return "an end condition is only for contacts without adhesion: with adhesion the contact lets go where it tears";
   return "";
@@ -64,7 +71,8 @@ constexpr role_count count_roles() {
           .tangential = (int(plays<Laws, role::tangential>) + ... + 0),
           .plasticity = (int(plays<Laws, role::plasticity>) + ... + 0),
           .flow = (int(flowing_law<Laws>) + ... + 0),
-          .stick_slip = (int(stick_slip_law<Laws>) + ... + 0)};
+          .stick_slip = (int(stick_slip_law<Laws>) + ... + 0),
+          .edgeless = (int(is_edgeless<Laws>) + ... + 0)};
 }
 
 /// Can these laws be composed?

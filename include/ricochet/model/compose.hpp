@@ -25,9 +25,8 @@ consteval bool diagnose() {
                   "(law/adhesion/adhesion_law.hpp); or, of a force without an edge, attraction, potential_energy, "
                   "rebound_damping or equivalent_work_of_adhesion (law/adhesion/attraction_law.hpp)");
   if constexpr (plays<L, role::crack>)
-    static_assert(crack_velocity_law<L>,
-                  "crack-velocity law: joints, speed_scale, first_ratio, rate or relaxation_time is "
-                  "missing or returns another type (law/crack/crack_velocity_law.hpp)");
+    static_assert(crack_velocity_law<L>, "crack-velocity law: joints, speed_scale, first_ratio or rate is "
+                                         "missing or returns another type (law/crack/crack_velocity_law.hpp)");
   if constexpr (plays<L, role::damping>)
     static_assert(bulk_damping_law<L>,
                   "bulk damping law: coefficient(pair, configuration) is missing or returns another "
@@ -162,6 +161,13 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
   static_assert(n.crack == 0 || n.adhesion != n.attraction,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
   static_assert(
+      n.edgeless == 0 || n.adhesion == n.attraction,
+      "an adhesion law with a surface energy needs an elastic law with an edge: take hertz, or dmt or line_force");
+  static_assert(n.edgeless == 0 || n.stick_slip == 0,
+                "stick and slip is that of a Hertzian contact: take hertz or coulomb");
+  static_assert(n.edgeless == 0 || n.plasticity == 0,
+                "plastic flow is added to Hertzian contacts only: drop the plasticity law or take hertz");
+  static_assert(
       n.end == 0 || n.adhesion == 0,
       "an end condition is only for contacts without adhesion: with adhesion the contact lets go where it tears");
   if constexpr (composable<Arguments...>) {
@@ -187,7 +193,8 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     constexpr requests asked{.ledger = detail::names<energy_ledger, Arguments...>,
                              .duration = detail::names<contact_duration, Arguments...>,
                              .extremes = detail::names<extremes, Arguments...>,
-                             .trajectory = detail::names<trajectory, Arguments...>};
+                             .trajectory = detail::names<trajectory, Arguments...>,
+                             .warnings = detail::names<regime_warnings, Arguments...>};
     return contact_model<decltype(elastic), decltype(adhesion), decltype(crack), decltype(damping),
                          decltype(tangential), decltype(plasticity), std::remove_const_t<decltype(end)>, asked>{
         pair, elastic, adhesion, crack, damping, tangential, plasticity};

@@ -46,12 +46,15 @@ struct contact_model {
 
   /// Scales in which an impact at this speed is computed.
   scales scales_at(speed v) const {
+    energy_per_area w{};
     if constexpr (adhesive)
-      return scales_of(pair, v, adhesion.work_of_adhesion);
+      w = adhesion.work_of_adhesion;
     else if constexpr (attracted)
-      return scales_of(pair, v, adhesion.equivalent_work_of_adhesion(pair));
+      w = adhesion.equivalent_work_of_adhesion(pair);
+    if constexpr (requires { elastic.scales_of_impact(pair, v, w); }) // an elastic law that is not Hertz's
+      return elastic.scales_of_impact(pair, v, w);
     else
-      return scales_of(pair, v, energy_per_area{});
+      return scales_of(pair, v, w);
   }
 
   /// Elastic force on the pair for one configuration, > 0 repulsive: for authors of codes with their own loop.

@@ -75,12 +75,15 @@ public:
 
   /// Scales of an impact at this speed, of laws in SI.
   basic_scales<T> scales_at(const T& v) const {
+    T w = T(0);
     if constexpr (adhesive)
-      return scales_of<T>(pair, v, adhesion.work_of_adhesion);
+      w = adhesion.work_of_adhesion;
     else if constexpr (attracted)
-      return scales_of<T>(pair, v, adhesion.equivalent_work_of_adhesion(pair));
+      w = adhesion.equivalent_work_of_adhesion(pair);
+    if constexpr (requires { elastic.scales_of_impact(pair, v, w); })
+      return elastic.scales_of_impact(pair, v, w);
     else
-      return scales_of<T>(pair, v, T(0));
+      return scales_of<T>(pair, v, w);
   }
 
   /// Force of the bulk damping law.

@@ -85,24 +85,24 @@ public:
     if constexpr (free_edge) {
       now.c.approach = x[mutual_approach];
       now.root_ratio = root_ratio(x);
-      now.inside = value_of(y) > 0 && value_of(now.root_ratio) > 0;
+      now.inside = value_of(y) > 0 ? value_of(now.root_ratio) > 0 : closes_up(now.c, piece);
       if (!now.inside)
         return now;
       edge_rate<T> edge{};
-      T advance; // dy/dt times the slowness
+      T advance; // y dy/dt times the slowness, over the reference
       if (piece >= 0) {
-        edge = crack.rate(now.root_ratio, piece);
-        advance = edge_speed_ * edge.advance / (T(2) * y);
+        edge = crack.rate(value_of(y) > 0 ? now.root_ratio : T(-now.root_ratio), piece);
+        advance = edge_speed_ * edge.advance / (T(2) * reference_);
       } else {
         edge.slowness = T(1);
-        advance = now.c.rate / root_ratio_gradient(now);
+        advance = now.c.rate * y / (root_ratio_gradient(now) * reference_);
       }
-      const T scaled = advance / reference_;
-      const T norm = T(1) / sqrt(edge.slowness * edge.slowness + scaled * scaled);
+      const T delay = edge.slowness * y;
+      const T norm = T(1) / sqrt(delay * delay + advance * advance);
       now.slowness = edge.slowness;
       now.inside = value_of(edge.slowness) >= 0 || past_fold(now.c); // beyond its limit, time would run backwards
-      now.clock = edge.slowness * norm;
-      now.coordinate_rate = advance * norm;
+      now.clock = delay * norm;
+      now.coordinate_rate = reference_ * advance * norm;
     } else {
       if constexpr (flows)
         now.c.take(pair, this->shape_at(piece == 0 ? x[largest_coordinate] : y));
@@ -124,10 +124,7 @@ public:
   static constexpr int sliding(int joint) { return -1 - joint; }
 
   /// sqrt(beta) of a free edge, without its law.
-  T root_ratio(const state_type& x) const requires free_edge {
-    const T& y = x[coordinate];
-    return (elastic.load_free_approach(pair, T(y * y)) - x[mutual_approach]) / (flattening_ * y);
-  }
+  T root_ratio(const state_type& x) const requires free_edge { return opened(x) / x[coordinate]; }
 
   /// d(sqrt beta)/d(sigma), by the law of this piece.
   T root_ratio_rate(const state_type& x, int piece) const requires free_edge {
@@ -150,9 +147,11 @@ public:
       dx[elapsed_time] = now.clock;
     if constexpr (Model::asked.ledger && damped)
       dx[bulk_loss] = damping_now * now.c.rate * now.clock;
-    if constexpr (Model::asked.ledger && free_edge) // [K (C.2)] with da = 2y dy
-      dx[crack_loss] = T(4) * pi<T>() * now.c.radius * adhesion.work_of_adhesion * (T(1) - now.root_ratio) *
-                       (T(1) + now.root_ratio) * x[coordinate] * now.coordinate_rate;
+    if constexpr (Model::asked.ledger && free_edge) { // [K (C.2)] with da = 2y dy, finite at y = 0 too
+      const T& y = x[coordinate];
+      const T open = opened(x);
+      dx[crack_loss] = T(4) * pi<T>() * adhesion.work_of_adhesion * (y - open) * (y + open) * y * now.coordinate_rate;
+    }
     if constexpr (flows) {
       dx[largest_coordinate] = piece == 0 ? T(0) : now.coordinate_rate;
       dx[plastic_loss] =
@@ -210,6 +209,21 @@ public:
   real_of<T> typical_time() const { return free_edge ? real_of<T>(1) : real_of<T>(value_of(typical()[coordinate])); }
 
 private:
+  /// y sqrt(beta)
+  T opened(const state_type& x) const {
+    const T& y = x[coordinate];
+    return (elastic.load_free_approach(pair, T(y * y)) - x[mutual_approach]) / flattening_;
+  }
+
+  /// Is this a contact of vanishing radius, that a step may lead to beyond y = 0? There the equations are continued as
+  /// those of -y.
+  static bool closes_up(const configuration<reduced<T>>& c, int piece) {
+    if constexpr (opens_without_bound<decltype(Model::crack)>)
+      return std::size_t(piece) == decltype(Model::crack)::joints.size() && value_of(c.approach) < 0;
+    else
+      return false;
+  }
+
   /// d(delta)/dy at constant beta.
   T root_ratio_gradient(const instant& now) const {
     return elastic.load_free_slope(pair, now.c.radius) * T(2) * now.c.root_radius - flattening_ * now.root_ratio;

@@ -23,9 +23,14 @@ struct trajectory {
   using role = role::request;
 };
 
+/// A sentence for each law used outside its range (model/regime.hpp).
+struct regime_warnings {
+  using role = role::request;
+};
+
 /// The requests of a model, as a value that can stand in its type.
 struct requests {
-  bool ledger = false, duration = false, extremes = false, trajectory = false;
+  bool ledger = false, duration = false, extremes = false, trajectory = false, warnings = false;
   friend constexpr bool operator==(const requests&, const requests&) = default;
 };
 

@@ -95,6 +95,11 @@ struct trajectory_result {
   detail::columns_of<Flows, std::vector<double>> trajectory;
 };
 
+/// One sentence for each law used outside its range.
+struct warnings_result {
+  std::vector<std::string> warnings;
+};
+
 namespace detail {
 template <int>
 struct nothing {};
@@ -110,7 +115,8 @@ struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
                        detail::part<Asked.trajectory, trajectory_result<Flows>, 3>,
                        detail::part<Friction, sliding_result<Speed, Length, Duration>, 4>,
-                       detail::part<Flows, flow_result<T, Length>, 5> {
+                       detail::part<Flows, flow_result<T, Length>, 5>,
+                       detail::part<Asked.warnings, warnings_result, 6> {
   ricochet::ending ending = ricochet::ending::failed;
   std::optional<T> restitution;  ///< of the final separation; absent when the bodies did not separate
   bool ending_is_certain = true; ///< false so near a threshold that the error bound does not decide

@@ -33,7 +33,7 @@ public:
   /// Looks at a contact that may creep.
   T look_closely(const part& c, ledger<Reduced>& books) {
     const T left = model_.kinetic_energy(c.rate) + books.meet(c) - model_.exit_energy(c);
-    certain_ = Reduced::adhesive || Reduced::attracted ? value_of(left) < real(0) : never_opens();
+    certain_ = Reduced::adhesive || Reduced::attracted ? value_of(left) < real(0) : never_opens(c);
     return left;
   }
 
@@ -46,13 +46,34 @@ public:
   }
 
 private:
-  /// Overdamped without adhesion and pulled until the overlap vanishes, the contact never gets there.
-  bool never_opens() const {
-    if constexpr (requires { model_.damping.overdamped(); })
-      return std::same_as<typename Reduced::model_type::end_condition, end_at_zero_overlap> &&
-             model_.damping.overdamped();
+  /// Overdamped without adhesion and pulled until the overlap vanishes, the contact never gets there: with F ~ delta^q
+  /// and F_D = c rate, c ~ delta^p, 2p + 1 <= q, c^2 >= 4(1 + p) m* F/delta holds at every smaller overlap too (if
+  /// 2p + 1 = q, at every one), and a rate above -c delta/(2(1 + p)m*) stays so.
+  bool never_opens(const part& c) const {
+    if constexpr (has_powers() && std::same_as<typename Reduced::model_type::end_condition, end_at_zero_overlap>) {
+      const real p = real(decltype(model_.damping)::coefficient_power), m = value_of(model_.pair.reduced_mass);
+      const real stiffness = value_of(model_.elastic.force(model_.pair_of(c), c)) / value_of(c.approach);
+      const real coefficient = value_of(model_.damping.coefficient(model_.pair_of(c), c));
+      const real enough = 4 * (1 + p) * m * stiffness * (1 - 16 * std::numeric_limits<real>::epsilon());
+      const bool deepens = value_of(c.rate) > real(0) && !same_at_every_depth();
+      return !deepens && coefficient * coefficient >= enough &&
+             value_of(c.rate) >= -coefficient * value_of(c.approach) / (2 * (1 + p) * m);
+    } else {
+      return false;
+    }
+  }
+
+  static constexpr bool has_powers() {
+    using elastic = decltype(Reduced::elastic);
+    using damping = decltype(Reduced::damping);
+    if constexpr (requires { elastic::force_power, damping::coefficient_power; })
+      return 2 * damping::coefficient_power + 1 <= elastic::force_power;
     else
       return false;
+  }
+
+  static constexpr bool same_at_every_depth() {
+    return 2 * decltype(Reduced::damping)::coefficient_power + 1 == decltype(Reduced::elastic)::force_power;
   }
 
   const Reduced& model_;

@@ -1,5 +1,6 @@
 #pragma once
 #include <ricochet/closed_form/closed_outcome.hpp>
+#include <ricochet/model/regime.hpp>
 #include <ricochet/solve/automatic.hpp>
 #include <ricochet/solve/collision.hpp>
 #include <ricochet/solve/yielding.hpp>
@@ -160,6 +161,23 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
   return out;
 }
 
+/// An edge of infinite speed, or of no energy, is a static one.
+template <class Model>
+bool edge_is_static(const Model& model) {
+  if constexpr (requires { model.crack.relaxation_time; })
+    if (in_si(model.crack.relaxation_time) == 0)
+      return true;
+  return in_si(model.adhesion.work_of_adhesion) == 0;
+}
+
+/// The outcome, with warnings where the model asks for them.
+template <class Model>
+outcome_of<Model> warned(const Model& model, speed v, outcome_of<Model> out) {
+  if constexpr (Model::asked.warnings)
+    out.warnings = regime_of(model, v).warnings();
+  return out;
+}
+
 template <class Model>
 void admit(const impact& impact, const collide_options& options) {
   require("speed", impact.speed, positive);
@@ -178,17 +196,19 @@ template <class Stepper = stepper::automatic, class Model>
 auto integrate(const Model& model, const impact& impact, const collide_options& options = {}, Stepper = {}) {
   detail::admit<Model>(impact, options);
   if constexpr (Model::yields)
-    return detail::with_plastic_loss(model, impact.speed,
-                                     integrate(model.without_plasticity(), impact, options, Stepper{}));
+    return detail::warned(model, impact.speed,
+                          detail::with_plastic_loss(model, impact.speed,
+                                                    integrate(model.without_plasticity(), impact, options, Stepper{})));
   else {
-    if constexpr (Model::has_crack_law) // an edge of infinite speed, or of no energy, is a static one
-      if (in_si(model.crack.relaxation_time) == 0 || in_si(model.adhesion.work_of_adhesion) == 0)
-        return integrate(model.with_static_edge(), impact, options, Stepper{});
+    if constexpr (Model::has_crack_law)
+      if (detail::edge_is_static(model))
+        return detail::warned<Model>(model, impact.speed,
+                                     integrate(model.with_static_edge(), impact, options, Stepper{}));
     const scales unit = model.scales_at(impact.speed);
     const reduced_model<double, Model> numbers(model, unit);
-    return detail::in_si_units<Model>(detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit),
-                                                                          reduce<double>(impact.slip, unit), options),
-                                      unit);
+    const auto found = detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit),
+                                                           reduce<double>(impact.slip, unit), options);
+    return detail::warned(model, impact.speed, detail::in_si_units<Model>(found, unit));
   }
 }
 
@@ -197,10 +217,12 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
 template <class Model>
 auto collide(const Model& model, const impact& impact, const collide_options& options = {}) {
   if constexpr (Model::yields) {
-    return detail::with_plastic_loss(model, impact.speed, collide(model.without_plasticity(), impact, options));
+    return detail::warned(
+        model, impact.speed,
+        detail::with_plastic_loss(model, impact.speed, collide(model.without_plasticity(), impact, options)));
   } else if constexpr (closed_form::solved<Model>) {
     detail::admit<Model>(impact, options);
-    return closed_form::solve(model, impact.speed);
+    return detail::warned(model, impact.speed, closed_form::solve(model, impact.speed));
   } else {
     return integrate(model, impact, options);
   }

@@ -77,7 +77,8 @@ public:
     return above < joints.size() && joints[above] <= 1;
   }
 
-  /// A free edge lets go where it opens at infinite speed past the fold; a slaved one at its fold, on the way out.
+  /// A free edge lets go where it opens at infinite speed, or has no radius left, past the fold; a slaved one at its
+  /// fold, on the way out.
   bool may_let_go(const state_type& x, int piece) const {
     if constexpr (Reduced::free_edge)
       return std::size_t(piece) == joints.size() && model_.past_fold(model_.at(x, piece).c);

@@ -10,7 +10,7 @@ namespace ricochet {
 /// What may happen between two steps of a contact. Each has a value that is positive before and negative after.
 enum class event {
   turning,       ///< the approach rate changes sign
-  letting_go,    ///< fold of the static edge, infinite speed of a free one, or zero overlap without adhesion
+  letting_go,    ///< fold of the static edge, infinite speed or zero radius of a free one, or zero overlap
   zero_force,    ///< end of a damped contact without adhesion
   leaving_below, ///< of the crack law's piece, towards smaller beta
   leaving_above, ///< of the crack law's piece, towards larger beta
@@ -39,9 +39,11 @@ public:
     case event::turning:
       return approaching ? x[approach_rate] : T(-x[approach_rate]);
     case event::letting_go:
-      if constexpr (Reduced::free_edge)
-        return std::size_t(piece) == joint_count ? model_.at(x, piece).slowness : T(1); // only the last piece opens
-      else if constexpr (Reduced::flows && Reduced::adhesive)
+      if constexpr (Reduced::free_edge) {
+        if (std::size_t(piece) != joint_count) // only the last piece opens
+          return T(1);
+        return opens_without_bound<decltype(Reduced::crack)> ? x[Reduced::coordinate] : model_.at(x, piece).slowness;
+      } else if constexpr (Reduced::flows && Reduced::adhesive)
         return model_.at(x, piece).clock; // the fold is that of the shape
       else
         return x[Reduced::coordinate] - fold_;

@@ -3,6 +3,7 @@
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
+#include <ricochet/law/crack/maugis_barquins.hpp>
 
 using namespace ricochet;
 using namespace ricochet::units;
@@ -36,6 +37,8 @@ struct in_another_role : greenwood_fit_law<S> {
 };
 
 static_assert(crack_velocity_law<greenwood> && crack_velocity_law<greenwood_fit>);
+static_assert(crack_velocity_law<maugis_barquins> && opens_without_bound<maugis_barquins>);
+static_assert(!opens_without_bound<greenwood> && !opens_without_bound<greenwood_fit>);
 static_assert(!crack_velocity_law<without_rate<dimensional>>);
 static_assert(!crack_velocity_law<with_a_plain_speed<dimensional>>);
 static_assert(!crack_velocity_law<without_joints<dimensional>>);
@@ -73,6 +76,11 @@ void satisfies_axioms(const Law& law, double k, double jump) {
     last = now;
     last_beta = beta;
   }
+  if (opens_without_bound<Law>) {
+    BOOST_TEST(rate_anywhere<double>(law, 1e40).slowness < 1e-70); // it vanishes with 1/beta
+    BOOST_TEST(rate_anywhere<double>(law, 1e-40).slowness < 1e-70);
+    return;
+  }
   // slowness 0 where the speed is unbounded; a rounding of beta, 12 times what the slowness makes of it and k/(1-k)
   BOOST_TEST(std::abs(rate_anywhere<double>(law, std::sqrt(1 / k)).slowness) < 1e-14 / (1 - k));
   BOOST_TEST(std::abs(law.rate(std::sqrt(k), 0).slowness) < 1e-14 / (1 - k));
@@ -83,6 +91,10 @@ void satisfies_axioms(const Law& law, double k, double jump) {
 BOOST_AUTO_TEST_CASE(axioms) {
   for (const double k : {1e-4, 1e-3, 0.02, 0.1, 0.5, 0.9, 0.98})
     BOOST_TEST_CONTEXT("greenwood, k " << k) { satisfies_axioms(exact(k), k, 0); }
+  for (const double n : {0.1, 0.3, 0.6, 1.})
+    BOOST_TEST_CONTEXT("maugis_barquins, n " << n) {
+      satisfies_axioms(maugis_barquins_law<S>{.reference_speed = 1, .exponent = n}, 1e-6, 0);
+    }
   BOOST_TEST_CONTEXT("greenwood_fit") { satisfies_axioms(fit, 0.02, 0.01); } // its printed jumps: 0.8 % and 0.6 %
 }
 

@@ -16,7 +16,9 @@ struct edge_rate {
 /// Crack-velocity law: speed of the edge as a function of beta = G/w, given through sqrt(beta) so that beta - 1 is free
 /// of cancellation. `joints` lists the beta at which the law is not smooth, ascending; `piece` counts the intervals
 /// between them, and a piece may be evaluated a little beyond its own interval.
-/// Axioms: speed(1) = 0; monotone between the joints; (G - w) times the opening speed >= 0; slowness = 0 at beta = 1/k.
+/// A law may know no upper bound of beta (`unbounded`): its contact lets go as its radius vanishes, else at slowness =
+/// 0. Axioms: speed(1) = 0; monotone between the joints; (G - w) times the opening speed >= 0; slowness = 0 at the
+/// ends.
 template <class L>
 concept crack_velocity_law = any_law<L> && plays<L, role::crack> &&
     requires(const typename L::template in<reduced<double>> law, const basic_pair<reduced<double>>& pair, double x) {
@@ -24,7 +26,11 @@ concept crack_velocity_law = any_law<L> && plays<L, role::crack> &&
   { law.speed_scale(pair, x) } -> std::same_as<double>;
   { law.first_ratio() } -> std::same_as<double>;
   { law.rate(x, 0) } -> std::same_as<edge_rate<double>>;
-  { law.relaxation_time } -> std::convertible_to<double>;
+};
+
+template <class L>
+inline constexpr bool opens_without_bound = requires {
+  requires L::unbounded;
 };
 
 /// The rate whichever piece sqrt(beta) lies in: what a pack needs, whose lanes may lie in different pieces.

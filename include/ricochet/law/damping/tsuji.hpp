@@ -13,6 +13,7 @@ struct tsuji_law {
   using role = role::damping;
   using number = typename S::number;
   static constexpr bool uses_root_radius = true;
+  static constexpr double coefficient_power = 0.25; ///< F_D/rate ~ delta^{1/4} at the Hertzian radius
   number damping_coefficient{};
 
   template <class Other>
@@ -24,9 +25,6 @@ struct tsuji_law {
   typename S::damping coefficient(const basic_pair<S>& pair, const configuration<S>& c) const {
     return damping_coefficient * sqrt(number(4) * pair.reduced_mass * pair.reduced_modulus / number(3)) * c.root_radius;
   }
-
-  /// Without adhesion, from alpha = sqrt(5) on the overlap never vanishes in finite time.
-  bool overdamped() const { return value_of(damping_coefficient) * value_of(damping_coefficient) >= 5; }
 };
 using tsuji = tsuji_law<dimensional>;
 

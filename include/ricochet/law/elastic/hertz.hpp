@@ -12,6 +12,7 @@ template <class S>
 struct hertz_law {
   using role = role::elastic;
   using number = typename S::number;
+  static constexpr double force_power = 1.5; ///< F ~ delta^{3/2} at the Hertzian radius
   template <class Other>
   using in = hertz_law<Other>;
   static constexpr auto parameters() { return std::tuple{}; }

@@ -16,7 +16,7 @@ namespace ricochet {
 struct regime_report {
   bool uses_jkr = false, uses_dmt = false;
   double speed_over_sound = 0;              ///< of the impact over sqrt(E*/density) of the softer-sounding body
-  double strain = 0;                        ///< largest Hertzian contact radius over R
+  double strain = 0;                        ///< largest contact radius without adhesion and losses, over R
   std::optional<double> tabor_number;       ///< JKR above 5, DMT below 0.1
   std::optional<double> speed_over_capture; ///< over the sticking speed of JKR without other losses
   std::optional<double> speed_over_yield;   ///< over the yield speed of the model's plasticity law
@@ -37,12 +37,14 @@ struct regime_report {
          "above 0.3, the bodies are no half-spaces in contact");
     if (tabor_number && uses_jkr)
       warn(*tabor_number < 5, "the Tabor number", *tabor_number,
-           *tabor_number < 0.1 ? "below 0.1, dmt describes adhesion and jkr does not"
-                               : "between 0.1 and 5, neither jkr nor dmt describes adhesion well");
+           *tabor_number < 0.1
+               ? "below 0.1, dmt describes adhesion and jkr does not"
+               : "between 0.1 and 5, neither jkr nor dmt describes adhesion well; closed_form::maugis_dugdale does");
     if (tabor_number && uses_dmt)
       warn(*tabor_number > 0.1, "the Tabor number", *tabor_number,
-           *tabor_number > 5 ? "above 5, jkr describes adhesion and dmt does not"
-                             : "between 0.1 and 5, neither jkr nor dmt describes adhesion well");
+           *tabor_number > 5
+               ? "above 5, jkr describes adhesion and dmt does not"
+               : "between 0.1 and 5, neither jkr nor dmt describes adhesion well; closed_form::maugis_dugdale does");
     if (cohesive_zone)
       warn(*cohesive_zone > 0.1, "the cohesive zone over the contact radius", *cohesive_zone,
            "above 0.1, the crack law's short zone is not short");
@@ -73,7 +75,12 @@ regime_report regime_of(const Model& model, speed v, length interaction_range = 
   if (!std::isinf(in_si(pair.bodies.radius_2)))
     slowest = std::min(slowest, sound(pair.bodies.mass_2, pair.bodies.radius_2));
   r.speed_over_sound = in_si(v) / slowest;
-  const length radius = closed_form::max_contact_radius(pair, v);
+  const length radius = [&] {
+    if constexpr (requires { model.elastic.max_approach(pair, v); })
+      return length(sqrt(pair.reduced_radius * model.elastic.max_approach(pair, v)));
+    else
+      return closed_form::max_contact_radius(pair, v);
+  }();
   r.strain = radius / pair.reduced_radius;
   const duration time = closed_form::contact_time(pair, v);
 
@@ -85,7 +92,7 @@ regime_report regime_of(const Model& model, speed v, length interaction_range = 
     if (in_si(w) > 0) {
       r.speed_over_capture = v / closed_form::sticking_speed(pair, w);
       length z0 = interaction_range;
-      if constexpr (Model::has_crack_law) {
+      if constexpr (requires { model.crack.interaction_range; }) {
         z0 = model.crack.interaction_range;
         const duration relaxation = model.crack.relaxation_time;
         r.edge_loss_scale = relaxation / closed_form::quasi_static_edge_limit(pair, w, z0, radius, time);

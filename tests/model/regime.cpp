@@ -4,11 +4,16 @@
 
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
-#include <ricochet/study/regime.hpp>
+#include <ricochet/model/regime.hpp>
 
 using namespace support;
 
 namespace {
+template <class Outcome>
+concept has_warnings = requires(Outcome out) {
+  out.warnings;
+};
+
 const ice_case ice;
 const speed eight = 8.0 * metres_per_second;
 
@@ -50,6 +55,25 @@ BOOST_AUTO_TEST_CASE(each_law_out_of_its_range_is_named) {
   auto wide = ice.fitted();
   wide.interaction_range = 30.0 * nanometres;
   BOOST_TEST(says(regime_of(compose(ice.pair, hertz{}, ice.adhesive, wide), eight), "cohesive zone"));
+}
+
+BOOST_AUTO_TEST_CASE(the_outcome_carries_them_where_asked_for) {
+  const impact fast{1000.0 * metres_per_second};
+  const auto same = [&](const auto& model) {
+    BOOST_TEST(!collide(model, fast).warnings.empty());
+    BOOST_TEST(collide(model, fast).warnings == regime_of(model, fast.speed).warnings());
+    BOOST_TEST(integrate(model, fast).warnings == regime_of(model, fast.speed).warnings());
+    BOOST_TEST(collide(model, impact{in_si(fast.speed) * millimetres_per_second}).warnings ==
+               regime_of(model, metres_per_second).warnings());
+  };
+  same(compose(ice.pair, hertz{}, regime_warnings{})); // of a closed form
+  same(compose(ice.pair, hertz{}, ice.adhesive, ice.viscous, regime_warnings{}));
+  auto quick = ice.fitted();
+  quick.relaxation_time = {};
+  same(compose(ice.pair, hertz{}, ice.adhesive, quick, regime_warnings{})); // a static edge after all
+  same(compose(ice.pair, hertz{}, thornton_ning{1.0 * megapascals}, regime_warnings{}));
+  static_assert(has_warnings<decltype(collide(compose(ice.pair, hertz{}, regime_warnings{}), fast))>);
+  static_assert(!has_warnings<decltype(collide(compose(ice.pair, hertz{}), fast))>);
 }
 
 BOOST_AUTO_TEST_CASE(a_pair_without_bodies_is_refused) {
