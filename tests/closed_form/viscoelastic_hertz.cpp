@@ -77,12 +77,50 @@ BOOST_FIXTURE_TEST_CASE(printed_numbers, fixture) {
   BOOST_TEST(std::abs(in_si(closed::contact_time(pair, v)) - 1.373479289e-8) < 5.1e-18); // half of the last decimal
 }
 
+BOOST_AUTO_TEST_CASE(series_at_any_damping_are_the_solution_in_long_double) {
+  const contact_pair unit{.reduced_modulus = 1 * pascals, .reduced_radius = 1 * metres, .reduced_mass = 1 * kilograms};
+  const speed v = 1 * metres_per_second;
+  const double number_of_one_second = closed::damping_number(unit, 1 * seconds, v);
+  scenes random(11);
+  const auto check = [&](double last, auto series, auto... end) {
+    double worst = 0;
+    for (int i = 0; i < 150; ++i) {
+      const double y = i == 0 ? last : random.log_uniform(1e-6, last);
+      const auto model = compose(unit, hertz{}, kuwabara_kono{y / number_of_one_second * seconds}, end...);
+      worst = std::max(worst, std::abs(series(y) - reference_restitution(model, v)));
+    }
+    BOOST_TEST_MESSAGE("largest error " << worst);
+    BOOST_TEST(worst < 1e-15); // coefficients to 1e-17, and round-off of a sum of order one
+    BOOST_TEST(series(0) == 1, boost::test_tools::tolerance(1e-15));
+  };
+  check(closed::largest_damping_number_to_zero_force, closed::viscoelastic_restitution_to_zero_force);
+  check(closed::largest_damping_number_to_zero_overlap, closed::viscoelastic_restitution_to_zero_overlap,
+        end_at_zero_overlap{});
+}
+
+BOOST_AUTO_TEST_CASE(beyond_the_series_the_collision_is_integrated) {
+  const contact_pair unit{.reduced_modulus = 1 * pascals, .reduced_radius = 1 * metres, .reduced_mass = 1 * kilograms};
+  const speed v = 1 * metres_per_second;
+  const double one = closed::damping_number(unit, 1 * seconds, v);
+  const auto at = [&](double y) {
+    return collide(compose(unit, hertz{}, kuwabara_kono{y / one * seconds}), impact{v}, {.tolerance = 1e-10});
+  };
+  const auto below = at(63.999999), above = at(64.000001);
+  BOOST_TEST(below.evaluations == 0);
+  BOOST_TEST(above.evaluations > 0);
+  BOOST_TEST(std::abs(*below.restitution - *above.restitution) < 1e-10);
+}
+
 BOOST_FIXTURE_TEST_CASE(wrong_input_is_named, fixture) {
   const duration wrong = -2.0 * seconds;
   BOOST_CHECK_EXCEPTION(closed::damping_number(pair, wrong, v), bad_input, says("bulk_time", "-2 s", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::weak_damping_restitution(pair, wrong, v), bad_input,
                         says("bulk_time", "-2 s", "[0, inf)"));
   BOOST_CHECK_EXCEPTION(closed::damping_number(pair, bulk_time, -v), bad_input, says("speed", "-8 m/s", "(0, inf)"));
+  BOOST_CHECK_EXCEPTION(closed::viscoelastic_restitution_to_zero_force(65), bad_input,
+                        says("damping_number", "65", "[0, 64]"));
+  BOOST_CHECK_EXCEPTION(closed::viscoelastic_restitution_to_zero_overlap(-1), bad_input,
+                        says("damping_number", "-1", "[0, 16]"));
   BOOST_CHECK_EXCEPTION(closed::restitution_series_to_zero_overlap(0.75), bad_input,
                         says("damping_number", "0.75", "[0, 0.5]"));
 }

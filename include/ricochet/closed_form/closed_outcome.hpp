@@ -3,7 +3,9 @@
 #include <ricochet/closed_form/jkr.hpp>
 #include <ricochet/closed_form/linear.hpp>
 #include <ricochet/closed_form/tsuji.hpp>
+#include <ricochet/closed_form/viscoelastic_hertz.hpp>
 #include <ricochet/law/damping/hunt_crossley.hpp>
+#include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/model/contact_model.hpp>
@@ -30,6 +32,10 @@ struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, tsuji, absent<role::tangential>,
                                absent<role::plasticity>, End, Asked>> : std::bool_constant<asks_outcome_only<Asked>> {};
+template <class End, requests Asked>
+struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, kuwabara_kono,
+                               absent<role::tangential>, absent<role::plasticity>, End, Asked>>
+    : std::bool_constant<asks_outcome_only<Asked>> {};
 template <class Damping, class End, requests Asked>
 requires(!is_present<Damping> || std::same_as<Damping, linear_dashpot>) //
     struct is_solved<contact_model<linear, absent<role::adhesion>, absent<role::crack>, Damping,
@@ -43,9 +49,10 @@ requires(!is_present<Damping> || std::same_as<Damping, linear_dashpot>) //
 template <class Model>
 concept solved = detail::is_solved<Model>::value;
 
-/// Outcome of an impact at speed v from the closed forms; its error is that of round-off.
+/// Outcome of an impact at speed v from the closed forms; its error is that of round-off. None where the damping number
+/// of Kuwabara and Kono's damping is beyond its closed form.
 template <solved Model>
-outcome_of<Model> solve(const Model& model, speed v) {
+std::optional<outcome_of<Model>> solve(const Model& model, speed v) {
   constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
   constexpr bool to_zero_overlap = std::same_as<typename Model::end_condition, end_at_zero_overlap>;
   outcome_of<Model> out;
@@ -71,6 +78,12 @@ outcome_of<Model> solve(const Model& model, speed v) {
     out.restitution = 1;
     if constexpr (Model::asked.duration)
       out.contact_duration = contact_time(model.pair, v);
+  } else if constexpr (std::same_as<decltype(Model::damping), kuwabara_kono>) {
+    const double y = damping_number(model.pair, model.damping.bulk_time, v);
+    if (y > (to_zero_overlap ? largest_damping_number_to_zero_overlap : largest_damping_number_to_zero_force))
+      return std::nullopt;
+    out.restitution =
+        to_zero_overlap ? viscoelastic_restitution_to_zero_overlap(y) : viscoelastic_restitution_to_zero_force(y);
   } else if constexpr (std::same_as<decltype(Model::damping), hunt_crossley>) {
     out.restitution = restitution(model.damping.damping_coefficient, v);
   } else {

@@ -222,7 +222,9 @@ auto collide(const Model& model, const impact& impact, const collide_options& op
         detail::with_plastic_loss(model, impact.speed, collide(model.without_plasticity(), impact, options)));
   } else if constexpr (closed_form::solved<Model>) {
     detail::admit<Model>(impact, options);
-    return detail::warned(model, impact.speed, closed_form::solve(model, impact.speed));
+    if (auto out = closed_form::solve(model, impact.speed))
+      return detail::warned(model, impact.speed, std::move(*out));
+    return integrate(model, impact, options);
   } else {
     return integrate(model, impact, options);
   }
