@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace ricochet {
 
@@ -44,15 +45,18 @@ inline constexpr range non_negative{};
 inline constexpr range poissons_ratio_range{.high = 0.5};
 inline constexpr range modulus_ratio_range{.low = 1e-4, .high = 0.98, .high_included = true};
 
+namespace detail {
+[[noreturn]] inline void refuse(std::string_view name, double x, const std::string& unit, const range& allowed) {
+  const std::string with_unit = unit.empty() ? "" : " " + unit;
+  throw bad_input(std::string(name) + " = " + shown(x) + with_unit + " is outside " + allowed.text() + with_unit);
+}
+} // namespace detail
+
 /// \throws bad_input if the quantity lies outside its range (NaN always does).
 template <class Quantity>
-void require(const std::string& name, const Quantity& quantity, const range& allowed) {
-  const double x = in_si(quantity);
-  if (allowed.contains(x))
-    return;
-  const std::string unit = unit_symbol(quantity);
-  throw bad_input(name + " = " + shown(x) + (unit.empty() ? "" : " " + unit) + " is outside " + allowed.text() +
-                  (unit.empty() ? "" : " " + unit));
+void require(std::string_view name, const Quantity& quantity, const range& allowed) {
+  if (!allowed.contains(in_si(quantity)))
+    detail::refuse(name, in_si(quantity), unit_symbol(quantity), allowed);
 }
 
 /// One parameter of a law: its name, where it lives and what it may be.
