@@ -16,7 +16,8 @@ namespace odeint = boost::numeric::odeint;
 
 using state = std::array<double, 2>; ///< approach, rate
 
-/// Numbers of a pair in units of the Hertzian approach and contact time, so that both methods' tolerances mean the same.
+/// Numbers of a pair in units of the Hertzian approach and contact time, so that both methods' tolerances mean the
+/// same.
 struct pair {
   double modulus, radius, mass;
 };

@@ -156,9 +156,10 @@ void compare_all(const char* name, const std::vector<scene<Model>>& scenes, cons
                  double longest, const std::vector<std::pair<double, std::vector<goal>>>& goals) {
   const auto expected = references(scenes);
   for (const auto& [wanted, ratios] : goals)
-    compare(name, wanted,
-            {ours_in_batch(scenes), ours_alone(scenes), with_bisection(systems, longest), with_newton(systems, longest)},
-            expected, ratios);
+    compare(
+        name, wanted,
+        {ours_in_batch(scenes), ours_alone(scenes), with_bisection(systems, longest), with_newton(systems, longest)},
+        expected, ratios);
 }
 
 constexpr std::size_t batch = 0, alone = 1, bisection = 2, newton = 3;
@@ -206,8 +207,7 @@ int main() {
                                     std::pow(numbers.radius, 4. / 3),
                                 0.6) *
                        1;
-      scenes.push_back(
-          {compose(pair, hertz{}, jkr{w * joules_per_square_metre}, kuwabara_kono{A * seconds}), at});
+      scenes.push_back({compose(pair, hertz{}, jkr{w * joules_per_square_metre}, kuwabara_kono{A * seconds}), at});
       systems.push_back({numbers, w, A});
     }
     compare_all("Hertz + JKR + Kuwabara-Kono", scenes, systems, 100,

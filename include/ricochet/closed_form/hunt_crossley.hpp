@@ -1,6 +1,7 @@
 // Impact with damping in proportion to the elastic force.
 #pragma once
 #include <ricochet/closed_form/hertz.hpp>
+#include <ricochet/closed_form/restitution_tables.hpp>
 
 #include <boost/math/special_functions/log1p.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -38,14 +39,14 @@ inline double damping_group(inverse_speed c, speed v) {
 } // namespace detail
 
 /// Restitution with F = K delta^n (1 + c d(delta)/dt), whatever n > 0.
-/// ln[(1 + c v)/(1 - c e v)] = c v (1 + e), solved for L = ln(1 - c e v), so without cancellation; error below 1e-14
+/// ln[(1 + c v)/(1 - c e v)] = c v (1 + e); polynomials in pieces of ln(1 + c v), solved beyond; error below 1e-15
 /// c: damping_coefficient, s/m, >= 0; v: speed of approach at touch, m/s, > 0.
 /// Valid for every c v; overlap and force vanish together, so there is one end only.
 /// Source: Hunt & Crossley 1975, integrated; for c v -> 0 it is 1 - 2cv/3, for c v -> infinity 1/(c v).
 inline double restitution(inverse_speed c, speed v) {
   const double cv = detail::damping_group(c, v);
-  if (cv < std::numeric_limits<double>::epsilon())
-    return 1 - 2 * cv / 3;
+  if (cv <= detail::hunt_crossley_restitution.last)
+    return detail::hunt_crossley_restitution(cv);
   return detail::hunt_crossley_impact(cv).restitution();
 }
 

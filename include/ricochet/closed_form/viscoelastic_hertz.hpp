@@ -1,7 +1,7 @@
 // Impact of viscoelastic spheres (Kuwabara & Kono) where the damping is weak.
 #pragma once
 #include <ricochet/closed_form/hertz.hpp>
-#include <ricochet/closed_form/viscoelastic_hertz_table.hpp>
+#include <ricochet/closed_form/restitution_tables.hpp>
 
 namespace ricochet::closed_form {
 
@@ -52,17 +52,17 @@ inline constexpr double largest_damping_number_to_zero_force = detail::viscoelas
 inline constexpr double largest_damping_number_to_zero_overlap = detail::viscoelastic_hertz_to_zero_overlap.last;
 
 /// Restitution of a contact that ends where the force vanishes, at any damping.
-/// Chebyshev series of the solution; error below 1e-15
+/// Polynomials in pieces of ln(1 + sqrt y); error below 1e-15
 /// y: damping_number(), dimensionless, in [0, 64]; there e = 0.00127.
 /// Valid without adhesion.
-/// Source: the equation of Kuwabara & Kono 1987 as Krijt 2013 (19), solved by tests/tables/viscoelastic_hertz.cpp.
+/// Source: the equation of Kuwabara & Kono 1987 as Krijt 2013 (19), solved by tests/tables/restitution_tables.cpp.
 inline double viscoelastic_restitution_to_zero_force(double y) {
   require("damping_number", y, range{.high = largest_damping_number_to_zero_force, .high_included = true});
   return detail::viscoelastic_hertz_to_zero_force(y);
 }
 
 /// Restitution of a contact that ends where the overlap vanishes, at any damping.
-/// Chebyshev series of the solution; error below 1e-15
+/// Polynomials in pieces of ln(1 + y); error below 1e-15
 /// y: damping_number(), dimensionless, in [0, 16]; there e = 4.9e-6.
 /// Valid without adhesion. Source: as viscoelastic_restitution_to_zero_force().
 inline double viscoelastic_restitution_to_zero_overlap(double y) {
