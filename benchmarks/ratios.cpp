@@ -19,7 +19,7 @@ namespace {
 using namespace ricochet;
 using namespace ricochet::units;
 
-constexpr std::size_t count = 100;
+constexpr std::size_t count = 1000;
 
 /// Somebody who computes all collisions at a tolerance of theirs.
 struct contender {
@@ -203,10 +203,8 @@ int main() {
       const auto [pair, numbers] = next_pair(random);
       // Capture speeds from a tenth to nine tenths of the impact's, without the damping.
       const double part = random.log_uniform(0.1, 0.8), A = random.log_uniform(1e-3, 0.1);
-      const double w = std::pow(part * part / 14.18 * std::cbrt(numbers.modulus * numbers.modulus) /
-                                    std::pow(numbers.radius, 4. / 3),
-                                0.6) *
-                       1;
+      const double w = std::pow(
+          part * part / 14.18 * std::cbrt(numbers.modulus * numbers.modulus) / std::pow(numbers.radius, 4. / 3), 0.6);
       scenes.push_back({compose(pair, hertz{}, jkr{w * joules_per_square_metre}, kuwabara_kono{A * seconds}), at});
       systems.push_back({numbers, w, A});
     }

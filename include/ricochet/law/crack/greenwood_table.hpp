@@ -3,37 +3,45 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <vector>
 
 namespace ricochet {
 
-/// A smooth function of asinh(Q/Q0) as polynomials on pieces of equal width, from Q = 0 upward.
-/// Below 0 its value at 0 is continued: the law's slowness, Q times this, then runs on linearly.
+/// A function of Q >= 0 that is smooth on a logarithmic scale, as polynomials on the quarters of the octaves of Q + Q0:
+/// which one is read off the bits of the number, without a logarithm. Below 0 its value at 0 is continued: the law's
+/// slowness, Q times this, then runs on linearly.
 class greenwood_curve {
 public:
-  static constexpr int degree = 12;
-  static constexpr double width = 0.5;
-  static constexpr double last = 1e18; ///< Q of the last point; beyond it the edge stands still to round-off
+  static constexpr int degree = 11;
+  static constexpr double last = 1e15; ///< Q of the last point; beyond it the edge stands still to round-off
 
-  /// `shape(Q)` is called with ascending Q > 0 in long double.
+  /// \param unit Q0, rounded down to a power of two. `shape(Q)` is called with ascending Q > 0 in long double.
   template <class Shape>
-  greenwood_curve(double unit, Shape shape) : unit_(unit) {
-    const int pieces = int(std::asinh(last / unit) / width) + 1;
-    coefficients_.resize(std::size_t(pieces));
-    for (int p = 0; p < pieces; ++p)
-      coefficients_[std::size_t(p)] = interpolate([&](long double t) {
-        return shape(unit * std::sinh((static_cast<long double>(p) + (1 + t) / 2) * static_cast<long double>(width)));
-      });
+  greenwood_curve(double unit, Shape shape) : unit_(std::exp2(std::floor(std::log2(unit)))) {
+    const std::size_t pieces = number_of(last + unit_) - number_of(unit_) + 1;
+    coefficients_.resize(pieces);
+    double start = unit_;
+    for (polynomial& piece : coefficients_) {
+      const double half = 1 / per_half_piece(start);
+      piece =
+          interpolate([&](long double t) { return shape(static_cast<long double>(start - unit_) + (1 + t) * half); });
+      start += 2 * half;
+    }
   }
 
   /// value and d(value)/dQ at Q.
   template <class T>
   T value(const T& Q) const {
     const auto [piece, t] = locate(Q);
-    T sum = 0;
-    for (int j = degree; j >= 0; --j)
-      sum = sum * t + T((*piece)[std::size_t(j)]);
-    return sum;
+    const T square = t * t;
+    T even = T((*piece)[degree - 1]), odd = T((*piece)[degree]); // two short chains instead of a long one
+    for (std::size_t j = degree - 1; j >= 2; j -= 2) {
+      even = even * square + T((*piece)[j - 2]);
+      odd = odd * square + T((*piece)[j - 1]);
+    }
+    return even + t * odd;
   }
   double slope(double Q) const {
     if (Q <= 0)
@@ -42,18 +50,31 @@ public:
     double sum = 0;
     for (int j = degree; j >= 1; --j)
       sum = sum * t + j * (*piece)[std::size_t(j)];
-    return sum * (2 / width) / std::hypot(unit_, Q);
+    return sum * per_half_piece(Q + unit_);
   }
 
 private:
+  static_assert(std::numeric_limits<double>::is_iec559 && degree % 2 == 1);
   using polynomial = std::array<double, degree + 1>; // powers of t in [-1, 1]
+  static constexpr int mantissa_bits = 52, piece_bits = 2;
+  static constexpr std::uint64_t within_piece = (std::uint64_t(1) << (mantissa_bits - piece_bits)) - 1;
+
+  static std::size_t number_of(double x) {
+    return std::size_t(std::bit_cast<std::uint64_t>(x) >> (mantissa_bits - piece_bits));
+  }
+  /// One over half the width of the piece in which x lies: 8 over the power of two below it.
+  static double per_half_piece(double x) {
+    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(x) >> mantissa_bits;
+    return std::bit_cast<double>((2 * 1023 + piece_bits + 1 - exponent) << mantissa_bits);
+  }
 
   template <class T>
   std::pair<const polynomial*, T> locate(const T& Q) const {
     const T clamped = std::clamp(Q, T(0), T(last));
-    const T x = std::asinh(clamped / T(unit_)) / T(width);
-    const std::size_t p = std::min(std::size_t(x), coefficients_.size() - 1);
-    return {&coefficients_[p], 2 * (x - T(p)) - 1};
+    const double x = static_cast<double>(clamped) + unit_;
+    const double start = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~within_piece);
+    const T t = (clamped - (T(start) - T(unit_))) * T(per_half_piece(x)) - T(1);
+    return {&coefficients_[number_of(x) - number_of(unit_)], t};
   }
 
   /// Chebyshev's nodes, ascending, and the powers of t in the polynomial that is one at node i and zero at the others.
