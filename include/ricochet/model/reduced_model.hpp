@@ -63,8 +63,9 @@ public:
   void prepare() {
     this->prepare_contact();
     if constexpr (free_edge) {
-      edge_speed_ = crack.speed_scale(pair, adhesion.work_of_adhesion);
       reference_ = sqrt(sqrt(pair.reduced_radius)) / T(2);
+      edge_speed_ = crack.speed_scale(pair, adhesion.work_of_adhesion) / (T(2) * reference_);
+      per_flattening_ = T(1) / flattening_;
     }
   }
 
@@ -82,41 +83,10 @@ public:
     else // no law has declared that it uses it: who does all the same, shall notice
       now.c.root_radius = T(std::numeric_limits<real_of<T>>::quiet_NaN());
     now.inside = true;
-    if constexpr (free_edge) {
-      now.c.approach = x[mutual_approach];
-      now.root_ratio = root_ratio(x);
-      now.inside = value_of(y) > 0 ? value_of(now.root_ratio) > 0 : closes_up(now.c, piece);
-      if (!now.inside)
-        return now;
-      edge_rate<T> edge{};
-      T advance; // y dy/dt times the slowness, over the reference
-      if (piece >= 0) {
-        edge = crack.rate(value_of(y) > 0 ? now.root_ratio : T(-now.root_ratio), piece);
-        advance = edge_speed_ * edge.advance / (T(2) * reference_);
-      } else {
-        edge.slowness = T(1);
-        advance = now.c.rate * y / (root_ratio_gradient(now) * reference_);
-      }
-      const T delay = edge.slowness * y;
-      const T norm = T(1) / sqrt(delay * delay + advance * advance);
-      now.slowness = edge.slowness;
-      now.inside = value_of(edge.slowness) >= 0 || past_fold(now.c); // beyond its limit, time would run backwards
-      now.clock = delay * norm;
-      now.coordinate_rate = reference_ * advance * norm;
-    } else {
-      if constexpr (flows)
-        now.c.take(pair, this->shape_at(piece == 0 ? x[largest_coordinate] : y));
-      now.c.approach = elastic.load_free_approach(pair_of(now.c), now.c.radius);
-      now.clock = elastic.load_free_slope(flows && piece == 0 ? pair_of(now.c) : pair, now.c.radius);
-      if constexpr (root_coordinate)
-        now.clock *= T(2) * y;
-      if constexpr (adhesive) {
-        now.c.approach -= flattening_ * y;
-        now.clock -= flattening_;
-        now.root_ratio = T(1);
-      }
-      now.coordinate_rate = now.c.rate;
-    }
+    if constexpr (free_edge)
+      move_free_edge(now, x, piece);
+    else
+      move_static_edge(now, x, piece);
     return now;
   }
 
@@ -209,10 +179,50 @@ public:
   real_of<T> typical_time() const { return free_edge ? real_of<T>(1) : real_of<T>(value_of(typical()[coordinate])); }
 
 private:
+  void move_free_edge(instant& now, const state_type& x, int piece) const {
+    const T& y = x[coordinate];
+    now.c.approach = x[mutual_approach];
+    now.root_ratio = root_ratio(x);
+    now.inside = value_of(y) > 0 ? value_of(now.root_ratio) > 0 : closes_up(now.c, piece);
+    if (!now.inside)
+      return;
+    edge_rate<T> edge{};
+    T advance; // y dy/dt times the slowness, over the reference
+    if (piece >= 0) {
+      edge = crack.rate(value_of(y) > 0 ? now.root_ratio : T(-now.root_ratio), piece);
+      advance = edge_speed_ * edge.advance;
+    } else {
+      edge.slowness = T(1);
+      advance = now.c.rate * y / (root_ratio_gradient(now) * reference_);
+    }
+    const T delay = edge.slowness * y;
+    const T norm = T(1) / sqrt(delay * delay + advance * advance);
+    now.slowness = edge.slowness;
+    now.inside = value_of(edge.slowness) >= 0 || past_fold(now.c); // beyond its limit, time would run backwards
+    now.clock = delay * norm;
+    now.coordinate_rate = reference_ * advance * norm;
+  }
+
+  void move_static_edge(instant& now, const state_type& x, [[maybe_unused]] int piece) const {
+    const T& y = x[coordinate];
+    if constexpr (flows)
+      now.c.take(pair, this->shape_at(piece == 0 ? x[largest_coordinate] : y));
+    now.c.approach = elastic.load_free_approach(pair_of(now.c), now.c.radius);
+    now.clock = elastic.load_free_slope(flows && piece == 0 ? pair_of(now.c) : pair, now.c.radius);
+    if constexpr (root_coordinate)
+      now.clock *= T(2) * y;
+    if constexpr (adhesive) {
+      now.c.approach -= flattening_ * y;
+      now.clock -= flattening_;
+      now.root_ratio = T(1);
+    }
+    now.coordinate_rate = now.c.rate;
+  }
+
   /// y sqrt(beta)
   T opened(const state_type& x) const {
     const T& y = x[coordinate];
-    return (elastic.load_free_approach(pair, T(y * y)) - x[mutual_approach]) / flattening_;
+    return (elastic.load_free_approach(pair, T(y * y)) - x[mutual_approach]) * per_flattening_;
   }
 
   /// Is this a contact of vanishing radius, that a step may lead to beyond y = 0? There the equations are continued as
@@ -229,7 +239,8 @@ private:
     return elastic.load_free_slope(pair, now.c.radius) * T(2) * now.c.root_radius - flattening_ * now.root_ratio;
   }
 
-  T edge_speed_ = T(0), reference_ = T(1);
+  T edge_speed_ = T(0); ///< of y dy/dt, over the reference
+  T reference_ = T(1), per_flattening_ = T(0);
 };
 
 } // namespace ricochet

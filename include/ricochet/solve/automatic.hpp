@@ -57,8 +57,19 @@ struct automatic {
     /// Counts how often in a row the step was near the explicit method's limit of stability while that is so short that
     /// the implicit method pays.
     void watch(Flow& f, const state_type& x, const real& h) {
-      const real rate = stiff_.rate_of_edge(f, x);
+      const real rate = rate_of_edge(f, x);
       hits_ = h * rate > 2 && rate > worthwhile_ ? hits_ + 1 : 0;
+    }
+
+    /// Rate at which the edge relaxes, |d(dy/d sigma)/dy|, to some digits.
+    static real rate_of_edge(Flow& f, const state_type& x) {
+      const auto y = reduced_type::coordinate;
+      const real part = real(1e-7f) * x[y];
+      state_type beside = x, slope{}, slope_beside{};
+      beside[y] += part;
+      f(x, slope, real(0));
+      f(beside, slope_beside, real(0));
+      return abs(slope_beside[y] - slope[y]) / part;
     }
 
     smooth_method smooth_;

@@ -64,12 +64,6 @@ struct rosenbrock4 {
 
     void moved() { known_ = false; }
 
-    /// Rate at which the edge relaxes: |d(dy/d sigma)/dy|.
-    real rate_of_edge(Flow& f, const state_type& x) {
-      differentiate(f, x);
-      return abs(jacobian_(0, 0));
-    }
-
   private:
     /// Stages g_i of (1/(gamma h) - J) g_i = f(x + sum a_ij g_j) + sum c_ij g_j/h: the state after the step, and its
     /// error.
