@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(work_stays_in_proportion_to_accuracy) {
 
 BOOST_AUTO_TEST_CASE(a_spent_budget_is_unresolved_and_says_so) {
   const auto model = compose(ice.pair, hertz{}, ice.viscous);
-  const auto out = collide(model, impact{8.0 * metres_per_second}, {.max_evaluations = 50});
+  const auto out = integrate(model, impact{8.0 * metres_per_second}, {.max_evaluations = 50});
   BOOST_TEST(name_of(out.ending) == "unresolved");
   BOOST_TEST(!out.restitution);
   BOOST_TEST(!out.ending_is_certain);
