@@ -143,7 +143,7 @@ template <class Model>
 std::vector<double> references(const std::vector<scene<Model>>& scenes) {
   std::vector<double> e;
   for (const auto& s : scenes) {
-    const scales unit = s.model.scales_at(s.impact.speed);
+    const scales unit = scales_at(s.model, s.impact.speed);
     const reduced_model<long double, Model> numbers(s.model, unit);
     collision<decltype(numbers), stepper::tsitouras_papakostas75> solver(numbers, 1e-15L, 40'000'000);
     e.push_back(double(solver.solve(reduce<long double>(s.impact.speed, unit)).restitution.value_or(0)));

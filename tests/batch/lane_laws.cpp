@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(lanes_have_their_own_bodies_parameters_and_scales) {
   const auto unit = laws.scales_at(speed);
   const reduced_model<many, decltype(models)::value_type> numbers(in_scales(laws, models[0], unit));
   for (std::size_t i = 0; i < many::size; ++i) {
-    const scales alone = models[i].scales_at(speeds[i] * metres_per_second);
+    const scales alone = scales_at(models[i], speeds[i] * metres_per_second);
     const reduced_model<double, decltype(models)::value_type> expected(models[i], alone);
     const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-13 * std::abs(b); };
     BOOST_TEST(same(unit.length[i], alone.length));

@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(adhesive_contact_pulls_at_touch) {
 
 BOOST_AUTO_TEST_CASE(scales_see_the_adhesion) {
   const speed slow = 1e-9 * metres_per_second;
-  const scales with = static_jkr(s).scales_at(slow), without = hertzian(s).scales_at(slow);
+  const scales with = scales_at(static_jkr(s), slow), without = scales_at(hertzian(s), slow);
   BOOST_TEST(with.length > 1e3 * without.length); // set by adhesion, not by the speed
   BOOST_TEST(same(without.length / without.duration, 1e-9));
   BOOST_TEST(with.mass == in_si(s.pair.reduced_mass));

@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(same_motion_as_the_smooth_coordinates) {
     const scene s = random.next();
     const auto visit = [&](const auto& model) {
       using Model = std::remove_cvref_t<decltype(model)>;
-      const scales unit = model.scales_at(s.speed);
+      const scales unit = scales_at(model, s.speed);
       const reduced_model<double, Model> numbers(model, unit);
       auto x = numbers.touch(i % 2 ? 0.7 : -0.5);
       x[numbers.coordinate] = numbers.typical()[numbers.coordinate] * random.log_uniform(0.3, 2);

@@ -18,7 +18,7 @@ void everywhere(const Use& use) {
   for (int i = 0; i < 20; ++i) {
     const scene s = random.next();
     const auto visit = [&](const auto& model) {
-      const scales unit = model.scales_at(s.speed);
+      const scales unit = scales_at(model, s.speed);
       using reduced_t = reduced_model<double, std::remove_cvref_t<decltype(model)>>;
       const reduced_t numbers(model, unit);
       for (const double size : {0.3, 0.9, 2.}) {

@@ -7,7 +7,7 @@ using namespace support;
 namespace {
 template <class Model>
 reduced_model<double, Model> reduced_form(const Model& model) {
-  return {model, model.scales_at(1.0 * metres_per_second)};
+  return {model, scales_at(model, 1.0 * metres_per_second)};
 }
 } // namespace
 

@@ -17,7 +17,7 @@ double deviation(double found, double expected) { return std::abs(found / expect
 /// speed)` is a reference to p.
 template <class Model, class Parameter>
 std::pair<double, double> derivative_of_restitution(const Model& model, speed v, const Parameter& parameter) {
-  const scales unit = model.scales_at(v);
+  const scales unit = scales_at(model, v);
   reduced_model<dual<>, Model> numbers(model, unit);
   dual<> u = reduce<double>(v, unit);
   auto& p = parameter(numbers, u);

@@ -9,7 +9,7 @@ using namespace support;
 namespace {
 template <class Model>
 auto numbers_of(const Model& model, speed v) {
-  return reduced_model<double, Model>(model, model.scales_at(v));
+  return reduced_model<double, Model>(model, scales_at(model, v));
 }
 } // namespace
 

@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(next_to_the_threshold_the_estimate_grows_and_the_ending_tur
 BOOST_AUTO_TEST_CASE(units_of_the_scene_do_not_matter) {
   // The same numbers through scales a million million times apart: e to round-off.
   const auto viscoelastic = compose(ice.pair, hertz{}, ice.adhesive, ice.viscous);
-  const scales unit = viscoelastic.scales_at(8.0 * metres_per_second);
+  const scales unit = scales_at(viscoelastic, 8.0 * metres_per_second);
   const double e = *integrate(viscoelastic, impact{8.0 * metres_per_second}, {.tolerance = 1e-11}).restitution;
   for (const double factor : {1e-3, 1e3}) { // lengths in units of a thousandth and a thousandfold of the usual
     scales other = unit;

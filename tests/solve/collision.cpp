@@ -7,7 +7,7 @@ using namespace support;
 namespace {
 template <class Model>
 auto solve_once(const Model& model, double v, double step_tolerance) {
-  const scales unit = model.scales_at(v * metres_per_second);
+  const scales unit = scales_at(model, v * metres_per_second);
   const reduced_model<double, Model> numbers(model, unit);
   collision<decltype(numbers), stepper::automatic> solver(numbers, step_tolerance, 5'000'000);
   return solver.solve(reduce<double>(v * metres_per_second, unit));
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(an_edge_held_at_a_joint_of_the_fits_slides_along_it) {
 
 BOOST_AUTO_TEST_CASE(float_and_long_double_solve_too) {
   const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.viscous);
-  const scales unit = model.scales_at(8.0 * metres_per_second);
+  const scales unit = scales_at(model, 8.0 * metres_per_second);
   const double exact = *integrate(model, impact{8.0 * metres_per_second}, {.tolerance = 1e-12}).restitution;
   const reduced_model<float, std::remove_const_t<decltype(model)>> single(model, unit);
   collision<std::remove_const_t<decltype(single)>, stepper::fehlberg78> in_float(single, 1e-5f, 1'000'000);

@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(pieces_know_their_joints) {
 }
 
 BOOST_AUTO_TEST_CASE(an_edge_that_both_sides_push_back_is_held_at_the_joint) {
-  const fitted_model numbers(fitted, fitted.scales_at(8.0 * metres_per_second));
+  const fitted_model numbers(fitted, scales_at(fitted, 8.0 * metres_per_second));
   const fitted_edge edge(numbers);
   const double y = 1.2 * numbers.typical()[root_contact_radius], b = std::sqrt(0.29);
   // The approach rate that keeps beta at the joint lies between what the two pieces ask for.
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(an_edge_that_both_sides_push_back_is_held_at_the_joint) {
 }
 
 BOOST_AUTO_TEST_CASE(only_past_the_fold_and_opening_may_the_edge_let_go) {
-  const fitted_model numbers(fitted, fitted.scales_at(8.0 * metres_per_second));
+  const fitted_model numbers(fitted, scales_at(fitted, 8.0 * metres_per_second));
   const fitted_edge edge(numbers);
   const double y = numbers.fold_coordinate();
   const auto before = state_at(numbers, 1.5 * y, 1.2, -1), past = state_at(numbers, 0.8 * y, 2.5, -1);
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(only_past_the_fold_and_opening_may_the_edge_let_go) {
 }
 
 BOOST_AUTO_TEST_CASE(time_to_rest_is_finite_only_on_the_way_to_it) {
-  const fitted_model numbers(fitted, fitted.scales_at(8.0 * metres_per_second));
+  const fitted_model numbers(fitted, scales_at(fitted, 8.0 * metres_per_second));
   const fitted_edge edge(numbers);
   const double y = 1.2 * numbers.typical()[root_contact_radius];
   const auto slow = state_at(numbers, y, 0.9, 0.0); // at rest, the closing edge relaxes towards beta = 1

@@ -8,7 +8,7 @@ BOOST_AUTO_TEST_CASE(an_event_is_located_on_its_surface_and_on_the_motion) {
   scenes source(73);
   const scene s = source.next();
   const auto model = viscous_jkr(s);
-  const reduced_model<double, decltype(model)> numbers(model, model.scales_at(s.speed));
+  const reduced_model<double, decltype(model)> numbers(model, scales_at(model, s.speed));
   using flow_type = flow<std::remove_const_t<decltype(numbers)>>;
   flow_type f{numbers};
   stepper::tsitouras_papakostas75::method<flow_type> method(1e-10, numbers.typical());
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(events_exist_only_for_the_laws_present) {
   scenes source(71);
   const scene s = source.next();
   const auto check = [&](const auto& model, bool zero_force, bool joints) {
-    const reduced_model<double, std::remove_cvref_t<decltype(model)>> numbers(model, model.scales_at(s.speed));
+    const reduced_model<double, std::remove_cvref_t<decltype(model)>> numbers(model, scales_at(model, s.speed));
     const event_values<std::remove_const_t<decltype(numbers)>> events(numbers);
     auto x = numbers.touch(1.0);
     x[numbers.coordinate] *= 1.01;

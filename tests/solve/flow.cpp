@@ -9,7 +9,7 @@ BOOST_AUTO_TEST_CASE(a_flow_is_an_odeint_system_that_counts_and_tells_when_it_is
   const scene s = source.next();
   const auto model = viscoelastic_jkr(s);
   using reduced_type = reduced_model<double, std::remove_const_t<decltype(model)>>;
-  const reduced_type numbers(model, model.scales_at(s.speed));
+  const reduced_type numbers(model, scales_at(model, s.speed));
   flow<reduced_type> f{numbers};
   auto x = numbers.touch(1.0);
   reduced_type::state_type dx{};

@@ -13,7 +13,7 @@ template <class Use>
 void on_a_stiff_motion(const Use& use) {
   const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.exact(1e-13 * seconds), ice.viscous, energy_ledger{});
   using reduced_type = reduced_model<double, std::remove_const_t<decltype(model)>>;
-  const reduced_type numbers(model, model.scales_at(8.0 * metres_per_second));
+  const reduced_type numbers(model, scales_at(model, 8.0 * metres_per_second));
   flow<reduced_type> f{numbers};
   stepper::fehlberg78::method<flow<reduced_type>> start(1e-10, numbers.typical());
   auto x = numbers.touch(1.0);
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_step_is_that_of_odeints_own_class) {
 BOOST_AUTO_TEST_CASE(steps_are_of_order_four) {
   const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.viscous);
   using reduced_type = reduced_model<double, std::remove_const_t<decltype(model)>>;
-  const reduced_type numbers(model, model.scales_at(8.0 * metres_per_second));
+  const reduced_type numbers(model, scales_at(model, 8.0 * metres_per_second));
   flow<reduced_type> f{numbers};
   const auto after = [&](int steps) {
     stepper::rosenbrock4::method<flow<reduced_type>> method(1e3, numbers.typical());

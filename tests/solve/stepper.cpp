@@ -19,7 +19,7 @@ using reduced_type = reduced_model<double, model_type>;
 /// Error of one step of size h against many small ones.
 template <class Stepper>
 double step_error(double h) {
-  const reduced_type numbers(model, model.scales_at(1.0 * metres_per_second));
+  const reduced_type numbers(model, scales_at(model, 1.0 * metres_per_second));
   flow<reduced_type> f{numbers};
   auto x = numbers.touch(1.0);
   typename Stepper::template method<flow<reduced_type>> method(1e3, numbers.typical());
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(steps_have_their_order) {
 }
 
 BOOST_AUTO_TEST_CASE(part_of_a_step_keeps_the_order) {
-  const reduced_type numbers(model, model.scales_at(1.0 * metres_per_second));
+  const reduced_type numbers(model, scales_at(model, 1.0 * metres_per_second));
   flow<reduced_type> f{numbers};
   const auto x = numbers.touch(1.0);
   stepper::fehlberg78::method<flow<reduced_type>> method(1e-10, numbers.typical());
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_step_out_of_the_domain_is_rejected) {
   scenes source(52);
   const scene s = source.next();
   const auto crack = viscoelastic_jkr(s);
-  const reduced_model<double, decltype(crack)> numbers(crack, crack.scales_at(s.speed));
+  const reduced_model<double, decltype(crack)> numbers(crack, scales_at(crack, s.speed));
   flow<std::remove_const_t<decltype(numbers)>> f{numbers};
   auto x = numbers.touch(1.0);
   x[mutual_approach] = 1e3; // a^2 - delta R < 0

@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(derivatives_come_out_on_dual_numbers) {
   const double kappa = 0.8;
   const auto slip_of = [&](double f, double tangent, const auto& seed) {
     const auto model = compose(pair, hertz{}, mindlin{f, kappa});
-    const scales unit = model.scales_at(v);
+    const scales unit = scales_at(model, v);
     reduced_model<dual<>, std::remove_const_t<decltype(model)>> numbers(model, unit);
     dual<> slip = tangent * reduce<double>(v, unit);
     seed(numbers, slip);

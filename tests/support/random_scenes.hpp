@@ -108,7 +108,7 @@ inline auto viscous_yielding_jkr(const scene& s, auto... also) { return viscous_
 /// The restitution (0 when captured) to the precision of long double.
 template <class Model>
 double reference_restitution(const Model& model, speed v) {
-  const scales unit = model.scales_at(v);
+  const scales unit = scales_at(model, v);
   const reduced_model<long double, Model> numbers(model, unit);
   collision<decltype(numbers), stepper::fehlberg78> solver(numbers, 1e-17L, 40'000'000);
   return static_cast<double>(solver.solve(reduce<long double>(v, unit)).restitution.value_or(0));

@@ -1,5 +1,5 @@
-// Writes include/ricochet/closed_form/restitution_tables.hpp to standard output: restitutions that depend on one number,
-// as polynomials in pieces, from solutions in long double. Takes ten seconds.
+// Writes include/ricochet/closed_form/restitution_tables.hpp to standard output: restitutions that depend on one
+// number, as polynomials in pieces, from solutions in long double. Takes ten seconds.
 #include "support/random_scenes.hpp"
 
 #include <ricochet/closed_form/viscoelastic_hertz.hpp>
@@ -13,7 +13,7 @@ constexpr std::size_t pieces = 10, terms = 22;
 
 template <class Model>
 long double restitution(const Model& model, speed v) {
-  const scales in = model.scales_at(v);
+  const scales in = scales_at(model, v);
   const reduced_model<long double, Model> numbers(model, in);
   collision<decltype(numbers), stepper::tsitouras_papakostas75> solver(numbers, 1e-17L, 40'000'000);
   return solver.solve(reduce<long double>(v, in)).restitution.value_or(0);

@@ -5,12 +5,6 @@
 
 namespace ricochet {
 
-/// The laws of a model in SI, as plain numbers.
-template <class T, class Model>
-reduced_laws<T, Model> laws_in_si(const Model& model) {
-  return {model, [](const auto& quantity) { return T(in_si(quantity)); }};
-}
-
 /// One lane gets the numbers of these laws.
 template <class Lanes, class Model>
 void put_lane(reduced_laws<Lanes, Model>& to, std::size_t lane, const reduced_laws<double, Model>& from) {

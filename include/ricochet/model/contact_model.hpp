@@ -44,19 +44,6 @@ struct contact_model {
     return {pair, elastic, adhesion, crack, damping, tangential, {}};
   }
 
-  /// Scales in which an impact at this speed is computed.
-  scales scales_at(speed v) const {
-    energy_per_area w{};
-    if constexpr (adhesive)
-      w = adhesion.work_of_adhesion;
-    else if constexpr (attracted)
-      w = adhesion.equivalent_work_of_adhesion(pair);
-    if constexpr (requires { elastic.scales_of_impact(pair, v, w); }) // an elastic law that is not Hertz's
-      return elastic.scales_of_impact(pair, v, w);
-    else
-      return scales_of(pair, v, w);
-  }
-
   /// Elastic force on the pair for one configuration, > 0 repulsive: for authors of codes with their own loop.
   force elastic_force(length approach, length radius) const {
     return elastic.force(pair, {approach, speed{}, radius, root(radius)});

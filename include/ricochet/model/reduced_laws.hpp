@@ -128,4 +128,16 @@ public:
   T potential(const part& c) const { return elastic.stored_energy(pair_of(c), c) + surface_energy(c); }
 };
 
+/// The laws of a model in SI, as plain numbers.
+template <class T, class Model>
+reduced_laws<T, Model> laws_in_si(const Model& model) {
+  return {model, [](const auto& quantity) { return T(in_si(quantity)); }};
+}
+
+/// Scales in which an impact at this speed is computed.
+template <class Model>
+scales scales_at(const Model& model, speed v) {
+  return laws_in_si<double>(model).scales_at(in_si(v));
+}
+
 } // namespace ricochet

@@ -204,7 +204,7 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
       if (detail::edge_is_static(model))
         return detail::warned<Model>(model, impact.speed,
                                      integrate(model.with_static_edge(), impact, options, Stepper{}));
-    const scales unit = model.scales_at(impact.speed);
+    const scales unit = scales_at(model, impact.speed);
     const reduced_model<double, Model> numbers(model, unit);
     const auto found = detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit),
                                                            reduce<double>(impact.slip, unit), options);

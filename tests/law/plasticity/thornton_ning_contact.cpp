@@ -333,7 +333,7 @@ BOOST_AUTO_TEST_CASE(flow_goes_on_beyond_the_largest_radius_only) {
   const auto model = compose(ice.pair, hertz{}, ice.adhesive, thornton_ning_contact{150. * megapascals});
   const speed v = 3.0 * metres_per_second;
   using numbers_type = reduced_model<double, std::remove_const_t<decltype(model)>>;
-  const numbers_type numbers(model, model.scales_at(v));
+  const numbers_type numbers(model, scales_at(model, v));
   auto x = numbers.touch(1);
   BOOST_TEST(x[root_contact_radius] < x[largest_coordinate]);
   const double yielded = x[largest_coordinate];

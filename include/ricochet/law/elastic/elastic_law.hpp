@@ -5,7 +5,7 @@ namespace ricochet {
 
 /// Elastic law: force, stored energy and energy release rate of a contact of radius a at approach delta, and the
 /// approach at which the edge of a contact of that radius is free of load, with its derivative in a.
-/// A law whose impacts are not on Hertz's scales says theirs: scales_of_impact(pair, speed, work of adhesion).
+/// A law whose impacts are not on Hertz's scales says theirs on plain numbers in SI: scales_of_impact(pair, speed, w).
 /// Axioms (tests/axioms): F = dU/d(delta); G = (1/2 pi a) dU/da; G = 0 at the load-free approach.
 template <class L>
 concept elastic_law = any_law<L> && plays<L, role::elastic> &&

@@ -41,16 +41,9 @@ struct linear_law {
   }
 
   /// Those of the spring, in SI, at the larger of v and the speed that a pull of w R gives it.
-  basic_scales<number> scales_of_impact(const basic_pair<S>& pair, const typename S::speed& v,
-                                        const typename S::energy_per_area& w) const {
-    const auto plain = [](const auto& quantity) {
-      if constexpr (std::same_as<S, dimensional>)
-        return in_si(quantity);
-      else
-        return number(quantity);
-    };
-    const number m = plain(pair.reduced_mass), time = sqrt(m / plain(stiffness));
-    const number fastest = max(plain(v), number(plain(w) * plain(pair.reduced_radius) * time / m));
+  basic_scales<number> scales_of_impact(const basic_pair<S>& pair, const number& v, const number& w) const {
+    const number m = pair.reduced_mass, time = sqrt(m / stiffness);
+    const number fastest = max(v, number(w * pair.reduced_radius * time / m));
     return {.length = fastest * time, .duration = time, .mass = m};
   }
 
