@@ -48,3 +48,12 @@ BOOST_AUTO_TEST_CASE(evaluate_calls_the_function) {
   };
   BOOST_TEST(evaluate<double>(line{}, 3.0) == 7);
 }
+
+BOOST_AUTO_TEST_CASE(what_stays_the_same_is_divided_by_through_its_reciprocal) {
+  const constant<double> three = 3.0;
+  static_assert(std::same_as<decltype(1.0 / three), double>);
+  BOOST_TEST(2 * three == 6.0);
+  BOOST_TEST(1.0 / three == 1.0 / 3.0);
+  BOOST_TEST(std::sqrt(three) == std::sqrt(3.0));
+  BOOST_TEST(std::abs(10.0 / three - 10.0 / 3.0) <= 2 * std::numeric_limits<double>::epsilon() * 10.0 / 3.0);
+}

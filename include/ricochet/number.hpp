@@ -50,10 +50,25 @@ T pi() {
   return number_traits<T>::pi();
 }
 
-/// How a number that stays the same during a collision is held: as itself, or with what makes dividing by it cheap.
+/// A number that stays the same during a collision, with its reciprocal: dividing by it costs a product.
+template <class T>
+struct divisor {
+  T value{}, reciprocal{};
+
+  divisor() = default;
+  constexpr divisor(T x) : value(x), reciprocal(T(1) / x) {}
+  constexpr operator const T&() const { return value; }
+  friend constexpr T operator/(const T& a, const divisor& b) { return a * b.reciprocal; }
+};
+
+/// How a number that stays the same during a collision is held: with its reciprocal where that pays.
 template <class T>
 struct constant_traits {
   using type = T;
+};
+template <std::floating_point T>
+struct constant_traits<T> {
+  using type = divisor<T>;
 };
 template <class T>
 using constant = typename constant_traits<T>::type;

@@ -51,7 +51,7 @@ private:
   /// 2p + 1 = q, at every one), and a rate above -c delta/(2(1 + p)m*) stays so.
   bool never_opens(const part& c) const {
     if constexpr (has_powers() && std::same_as<typename Reduced::model_type::end_condition, end_at_zero_overlap>) {
-      const real p = real(decltype(model_.damping)::coefficient_power), m = value_of(model_.pair.reduced_mass);
+      const real p = real(decltype(model_.damping)::coefficient_power), m = value_of(T(model_.pair.reduced_mass));
       const real stiffness = value_of(model_.elastic.force(model_.pair_of(c), c)) / value_of(c.approach);
       const real coefficient = value_of(model_.damping.coefficient(model_.pair_of(c), c));
       const real enough = 4 * (1 + p) * m * stiffness * (1 - 16 * std::numeric_limits<real>::epsilon());

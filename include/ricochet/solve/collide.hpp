@@ -34,7 +34,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
   using real = real_of<T>;
   using Model = typename Reduced::model_type;
   const real wanted = real(options.tolerance), finest = 4 * std::numeric_limits<real>::epsilon();
-  const real refinement = 4, v = value_of(speed), kinetic = v * v * value_of(model.pair.reduced_mass) / 2;
+  const real refinement = 4, v = value_of(speed), kinetic = v * v * value_of(T(model.pair.reduced_mass)) / 2;
   const real usual_error = real(Stepper::usual_error), loosest = real(Reduced::free_edge ? 1e-6 : 1e-5);
   real tolerance = min<real>(wanted * max<real>(1, 1 / (25 * usual_error)), loosest) * min<real>(v, real(1));
   long evaluations = 0, rejected = 0;
