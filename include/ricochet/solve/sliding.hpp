@@ -90,7 +90,8 @@ public:
     if constexpr (Reduced::peels) {
       out.spin = x[surface_speed] / model_.pair.reduced_radius;
       out.rotation = x[surface_distance] / model_.pair.reduced_radius;
-      out.friction_loss = x[friction_loss] / kinetic_energy_;
+      if (value_of(x[friction_loss]) > 0) // that of a slip of no more than round-off may be negative
+        out.friction_loss = x[friction_loss] / kinetic_energy_;
       out.peeling_loss = x[peeling_loss] / kinetic_energy_;
     }
   }
