@@ -26,7 +26,7 @@ auto simulation(const contact_pair& pair, speed v, const auto& tangential, doubl
                  line_force{250.0 * newtons_per_metre, damping_coefficient_of_brach_dunn(zeta_a, pair, v)},
                  hunt_crossley{damping_coefficient_of_brach_dunn(10.54, pair, v)}, tangential);
 }
-auto peeling(double f, double lambda) { return coulomb_with_peeling{f, lambda * joules}; }
+auto peeling(double f, double lambda) { return coulomb_with_peeling{f, lambda * newton_metres}; }
 
 /// Brach and Dunn's equations (B6)-(B10), with their signs put right, in time, by Runge and Kutta's fourth-order steps:
 /// in parts of the contact time, shorter at its ends, where the forces go as the root of the depth.
