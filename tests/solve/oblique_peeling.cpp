@@ -6,7 +6,9 @@
 #include <ricochet/law/adhesion/line_force.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
 #include <ricochet/law/tangential/coulomb_with_peeling.hpp>
+#include <ricochet/number/autodiff.hpp>
 #include <ricochet/solve/oblique.hpp>
+#include <ricochet/solve/steppers.hpp>
 
 using namespace support;
 using closed_form::damping_coefficient_of_brach_dunn;
@@ -365,4 +367,47 @@ BOOST_AUTO_TEST_CASE(what_leaves_the_plane_or_the_wall_is_refused) {
   BOOST_CHECK_EXCEPTION(collide(simulation(table_1, normal_speed, coulomb{0.1}),
                                 impact{.speed = normal_speed, .spin = 1 * radians_per_second}),
                         bad_input, says("spin = 1 rad/s"));
+}
+
+BOOST_AUTO_TEST_CASE(derivatives_come_out_on_dual_numbers) {
+  // Next to no pull: the kink of its damping where the rebound begins falls on single stages of a step, which is
+  // nothing to the motion but to derivatives along it.
+  const auto model =
+      compose(table_1, hertz{},
+              line_force{1e-9 * newtons_per_metre, damping_coefficient_of_brach_dunn(6.25, table_1, normal_speed)},
+              hunt_crossley{damping_coefficient_of_brach_dunn(10.54, table_1, normal_speed)}, peeling(0.1, 1e-7));
+  const scales unit = model.scales_at(normal_speed);
+  using model_type = std::remove_const_t<decltype(model)>;
+  const auto parameter = [](auto& numbers, int i) -> auto& {
+    return i == 0   ? numbers.tangential.peeling_moment
+           : i == 1 ? numbers.tangential.friction_coefficient
+                    : numbers.adhesion.rebound_coefficient;
+  };
+  const auto solve = [](const auto& numbers, double spin, double tolerance) {
+    using T = typename std::remove_cvref_t<decltype(numbers)>::number;
+    collision<std::remove_cvref_t<decltype(numbers)>, stepper::fehlberg78> solver(numbers, tolerance, 10'000'000);
+    return solver.solve(T(1), T(0.01), T(spin) / numbers.pair.reduced_radius);
+  };
+  for (const double spin : {0.5, -0.8, -1.01}) // it slides, rolls and slides; backspin alike; the slip turns round
+    for (const int i : {0, 1, 2}) {
+      reduced_model<dual<>, model_type> numbers(model, unit);
+      const double at = value_of(parameter(numbers, i)), step = 1e-5 * at;
+      parameter(numbers, i) = seeded(at);
+      numbers.prepare();
+      const auto found = solve(numbers, spin, 1e-11);
+      reduced_model<long double, model_type> more(model, unit), less(model, unit);
+      parameter(more, i) += step;
+      parameter(less, i) -= step;
+      const auto above = solve(more, spin, 1e-16), below = solve(less, spin, 1e-16);
+      const auto compare = [&](const dual<>& x, long double high, long double low) {
+        BOOST_TEST(std::abs(x.derivative(1) * at - double((high - low) / (2 * step)) * at) <
+                   1e-8); // the square of the step, and errors over it
+      };
+      BOOST_TEST_CONTEXT("r omega = " << spin << ", parameter " << i) {
+        compare(found.spin, above.spin, below.spin);
+        compare(found.slip, above.slip, below.slip);
+        compare(found.peeling_loss, above.peeling_loss, below.peeling_loss);
+        compare(found.friction_loss, above.friction_loss, below.friction_loss);
+      }
+    }
 }
