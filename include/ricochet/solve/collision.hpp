@@ -237,7 +237,7 @@ private:
   ledger<Reduced> ledger_;
   capture<Reduced> capture_;
   [[no_unique_address]] observers<Reduced, method_type> observers_;
-  sliding<Reduced> sliding_;
+  [[no_unique_address]] sliding<Reduced> sliding_;
   [[no_unique_address]] stick_slip<Reduced> stick_slip_;
   real tolerance_;
   long budget_;

@@ -112,15 +112,12 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
     still_sliding = std::clamp(still_sliding, -sliding, sliding);
   const double time = in_si(out.normal.elapsed_time),
                rate = out.normal.restitution ? -*out.normal.restitution * closing : in_si(out.normal.approach_rate);
-  double impulse = 2. / 7 * m * (sliding - still_sliding), peeled_spin = 0; // on the first body, against the direction
-  if constexpr (Model::peels) {
-    const double lost_spin = spin - in_si(out.normal.spin);
-    impulse = m * (sliding - still_sliding + r1 * lost_spin);
-    peeled_spin = lost_spin + 2.5 * impulse / (m1 * r1); // beyond what the impulse takes, which is less than none
-  }
+  double impulse = 2. / 7 * m * (sliding - still_sliding); // on the first body, against the direction
+  if constexpr (Model::peels)
+    impulse = m * (sliding - still_sliding + r1 * (spin - in_si(out.normal.spin)));
   const Eigen::Vector3d turning = impulse * n.cross(direction); // each spin changes by -turning r/(2/5 m r^2)
   out.velocity = impact.velocity + (rate - closing) * n - impulse / m * direction;
-  out.spin_1 = impact.spin_1 - turning * (2.5 / (m1 * r1)) - peeled_spin * direction.cross(n);
+  out.spin_1 = impact.spin_1 - turning * (2.5 / (m1 * r1));
   out.spin_2 = wall ? impact.spin_2 : Eigen::Vector3d(impact.spin_2 - turning * (2.5 / (m2 * r2)));
   out.slip = still_sliding * direction;
   out.rolls = out.normal.sticks;
@@ -133,7 +130,8 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
   out.rotation_2 = wall ? 0 : (impact.spin_2 * time - turned * (2.5 / (m2 * r2))).norm();
   const Eigen::Vector3d shift = (impact.velocity - closing * n) * time - impulse_time / m * direction;
   out.normal_turn = wall ? 0 : shift.norm() / (r1 + r2);
-  if constexpr (Model::peels) {
+  if constexpr (Model::peels) { // the impulse does not say all
+    out.spin_1 = impact.spin_1 - (spin - in_si(out.normal.spin)) * direction.cross(n);
     out.rotation_1 = std::abs(out.normal.rotation);
     out.friction_loss = out.normal.friction_loss;
     out.peeling_loss = out.normal.peeling_loss;
