@@ -144,6 +144,8 @@ void add(ricochet::role_count& sum, const ricochet::role_count& n) {
   sum.plasticity += n.plasticity;
   sum.flow += n.flow;
   sum.stick_slip += n.stick_slip;
+  sum.peeling += n.peeling;
+  sum.rebounding += n.rebounding;
 }
 
 /// The laws named, which go together.

@@ -21,6 +21,7 @@
 #include <ricochet/law/damping/tsuji.hpp>
 
 #include <ricochet/law/tangential/coulomb.hpp>
+#include <ricochet/law/tangential/coulomb_with_peeling.hpp>
 #include <ricochet/law/tangential/mindlin.hpp>
 
 #include <ricochet/law/plasticity/thornton_ning.hpp>

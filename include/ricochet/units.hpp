@@ -54,6 +54,7 @@ inline constexpr angular_speed radians_per_second = 1.0 / (1.0 * si::second);
 inline constexpr double degrees = std::numbers::pi / 180; ///< radians are plain numbers
 inline constexpr force newtons = 1.0 * si::newton;
 inline constexpr energy joules = 1.0 * si::joule;
+inline constexpr energy newton_metres = 1.0 * si::joule; ///< of moments
 inline constexpr energy_per_area joules_per_square_metre = 1.0 * si::newton_per_meter;
 inline constexpr energy_per_area newtons_per_metre = 1.0 * si::newton_per_meter;
 inline constexpr inverse_speed seconds_per_metre = 1.0 / (1.0 * si::meter_per_second);

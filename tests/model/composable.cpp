@@ -9,6 +9,7 @@
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/law/plasticity/thornton_ning_contact.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
+#include <ricochet/law/tangential/coulomb_with_peeling.hpp>
 #include <ricochet/law/tangential/mindlin.hpp>
 
 #include <algorithm>
@@ -70,6 +71,12 @@ static_assert(!composable<hertz, dmt, thornton_ning_contact> && !composable<hert
 static_assert(!composable<hertz, thornton_ning, thornton_ning_contact> && !composable<hertz, coulomb, thornton_ning>);
 static_assert(composable<hertz, mindlin> && composable<hertz, dmt, mindlin, tsuji> && composable<hertz, jkr, coulomb>);
 static_assert(!composable<hertz, jkr, mindlin> && !composable<hertz, jkr, greenwood, mindlin>);
+static_assert(composable<hertz, line_force, coulomb_with_peeling, tsuji>);
+static_assert(!composable<hertz, coulomb_with_peeling> && !composable<hertz, dmt, coulomb_with_peeling>);
+static_assert(!composable<hertz, jkr, coulomb_with_peeling> &&
+              !composable<hertz, jkr, greenwood, coulomb_with_peeling>);
+static_assert(!composable<hertz, line_force, coulomb, coulomb_with_peeling>);
+static_assert(!composable<hertz, line_force, coulomb_with_peeling, thornton_ning>);
 static_assert(!composable<hertz, mindlin, coulomb> && !composable<hertz, mindlin, thornton_ning>);
 
 static_assert(count_roles<linear>().edgeless == 1 && count_roles<hertz, jkr>().edgeless == 0);
@@ -79,6 +86,9 @@ static_assert(count_roles<greenwood, greenwood_fit>().crack == 2);
 static_assert(count_roles<thornton_ning, coulomb>().plasticity == 1 && count_roles<thornton_ning>().flow == 0);
 static_assert(count_roles<thornton_ning_contact>().plasticity == 1 && count_roles<thornton_ning_contact>().flow == 1);
 static_assert(count_roles<coulomb, mindlin>().tangential == 2 && count_roles<coulomb, mindlin>().stick_slip == 1);
+static_assert(count_roles<coulomb_with_peeling>().tangential == 1 && count_roles<coulomb_with_peeling>().peeling == 1);
+static_assert(count_roles<coulomb, mindlin>().peeling == 0 && count_roles<jkr, dmt>().rebounding == 0);
+static_assert(count_roles<line_force>().attraction == 1 && count_roles<line_force>().rebounding == 1);
 static_assert(count_roles<jkr, dmt>().adhesion == 2 && count_roles<jkr, dmt>().attraction == 1);
 
 } // namespace
@@ -108,29 +118,34 @@ BOOST_AUTO_TEST_CASE(the_table_of_refusals) {
 
 BOOST_AUTO_TEST_CASE(the_table_of_refusals_with_friction_and_plastic_flow) {
   int accepted = 0;
-  for (int i = 0; i < 72; ++i) { // with one elastic law; friction: none, coulomb, mindlin, two laws
-    const int attraction = i % 3 == 2, crack = i / 3 % 2, friction = i / 6 % 4, plasticity = i / 24 % 3;
+  // With one elastic law; adhesion: none, jkr, dmt, line_force; friction: none, coulomb, mindlin, with a peeling
+  // moment, two laws.
+  for (int i = 0; i < 120; ++i) {
+    const int adhesion = i % 4, crack = i / 4 % 2, friction = i / 8 % 5, plasticity = i / 40 % 3;
     const role_count n{.elastic = 1,
-                       .adhesion = i % 3 != 0,
+                       .adhesion = adhesion != 0,
                        .crack = crack,
-                       .attraction = attraction,
-                       .tangential = friction == 3 ? 2 : friction != 0,
+                       .attraction = adhesion >= 2,
+                       .tangential = friction == 4 ? 2 : friction != 0,
                        .plasticity = plasticity,
-                       .stick_slip = friction >= 2};
+                       .stick_slip = friction == 2,
+                       .peeling = friction >= 3,
+                       .rebounding = adhesion == 3};
     const std::string_view sentence = refusal(n);
     const auto says = [&](std::string_view words) { return sentence.find(words) != sentence.npos; };
-    const bool surface_energy = i % 3 == 1;
-    const bool legal = (!crack || surface_energy) && friction < 3 && plasticity < 2 && !(friction && plasticity) &&
-                       !(friction == 2 && surface_energy);
+    const bool surface_energy = adhesion == 1, peels = adhesion == 3;
+    const bool legal = (!crack || surface_energy) && friction < 4 && plasticity < 2 && !(friction && plasticity) &&
+                       !(friction == 2 && surface_energy) && (friction != 3 || peels);
     BOOST_TEST_CONTEXT(i << ": " << sentence) {
       BOOST_TEST(sentence.empty() == legal);
-      BOOST_TEST((legal || (says("two tangential laws") && friction == 3) ||
+      BOOST_TEST((legal || (says("two tangential laws") && friction == 4) ||
                   (says("two plasticity laws") && plasticity == 2) ||
                   (says("plastic flow is added to the normal motion only") && friction && plasticity) ||
                   (says("stick and slip needs a Hertzian contact") && friction == 2 && surface_energy) ||
+                  (says("needs an adhesion law with a rebound coefficient") && friction == 3 && !peels) ||
                   (says("needs an adhesion law with a surface energy") && crack && !surface_energy)));
     }
     accepted += legal;
   }
-  BOOST_TEST(accepted == 14);
+  BOOST_TEST(accepted == 19); // five contacts: bare, with coulomb, with plastic loss; three with mindlin, one peels
 }

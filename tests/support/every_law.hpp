@@ -14,6 +14,7 @@
 #include <ricochet/law/elastic/linear.hpp>
 #include <ricochet/law/plasticity/thornton_ning_contact.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
+#include <ricochet/law/tangential/coulomb_with_peeling.hpp>
 #include <ricochet/law/tangential/mindlin.hpp>
 
 #include <vector>
@@ -84,6 +85,7 @@ std::vector<T> values_in_the_loop(const contact_numbers<T>& x) {
                         ring.potential_energy(pair, c),
                         ring.rebound_damping(pair, rebound),
                         coulomb_law<S>{T(0.5)}.sliding_force(x.modulus),
+                        coulomb_with_peeling_law<S>{T(0.5), x.modulus}.edge_resistance(pair, T(0.25), x.rate),
                         mindlin_law<S>{T(0.5), T(0.75)}.stiffness(pair),
                         mindlin_law<S>{T(0.5), T(0.75)}.largest_stretch(c.radius),
                         dmt_law<S>{x.work_of_adhesion}.attraction(pair, c),

@@ -42,6 +42,7 @@ inline std::string shown(double x) {
 
 inline constexpr range positive{.low_included = false};
 inline constexpr range non_negative{};
+inline constexpr range any_finite{.low = -std::numeric_limits<double>::max()};
 inline constexpr range poissons_ratio_range{.high = 0.5};
 inline constexpr range modulus_ratio_range{.low = 1e-4, .high = 0.98, .high_included = true};
 

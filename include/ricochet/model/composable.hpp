@@ -14,11 +14,12 @@
 namespace ricochet {
 
 /// How many laws of each role a composition names; `attraction` of the adhesion laws are forces without an edge, `flow`
-/// of the plasticity laws act within the motion, `stick_slip` of the tangential ones stick and slip at once, `edgeless`
-/// of the elastic laws have an energy that does not depend on the contact radius.
+/// of the plasticity laws act within the motion, `stick_slip` of the tangential ones stick and slip at once, `peeling`
+/// of them resist rolling; `rebounding` of the adhesion laws can be peeled, `edgeless` of the elastic ones have an
+/// energy that does not depend on the contact radius.
 struct role_count {
   int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0, attraction = 0, tangential = 0, plasticity = 0,
-      flow = 0, stick_slip = 0, edgeless = 0;
+      flow = 0, stick_slip = 0, peeling = 0, rebounding = 0, edgeless = 0;
 };
 
 /// Empty if laws in these numbers go together, else the sentence of refusal.
@@ -45,6 +46,8 @@ constexpr std::string_view refusal(const role_count& n) {
     return "plastic flow within the motion goes with an adhesion law with a surface energy: take jkr or thornton_ning";
   if (n.stick_slip == 1 && n.adhesion != n.attraction)
     return "a tangential law with stick and slip needs a Hertzian contact: drop the adhesion law or take coulomb";
+  if (n.peeling == 1 && n.rebounding == 0)
+    return "a peeling moment needs an adhesion law with a rebound coefficient: add line_force or take coulomb";
   if (n.end > 1)
     return "two end conditions were given: keep one";
   if (n.crack == 1 && n.adhesion == n.attraction)
@@ -72,6 +75,8 @@ constexpr role_count count_roles() {
           .plasticity = (int(plays<Laws, role::plasticity>) + ... + 0),
           .flow = (int(flowing_law<Laws>) + ... + 0),
           .stick_slip = (int(stick_slip_law<Laws>) + ... + 0),
+          .peeling = (int(peeling_law<Laws>) + ... + 0),
+          .rebounding = (int(rebounding_law<Laws>) + ... + 0),
           .edgeless = (int(is_edgeless<Laws>) + ... + 0)};
 }
 

@@ -97,7 +97,11 @@ void check_dimensions() {
       (void)length(law.largest_stretch(c.approach));
     };
   else if constexpr (plays<Law, role::tangential>)
-    (void)[](const Law& law, force f) { (void)force(law.sliding_force(f)); };
+    (void)[](const Law& law, pair p, force f) {
+      (void)force(law.sliding_force(f));
+      if constexpr (peeling_law<Law>)
+        (void)force(law.edge_resistance(p, 1.0 / speed{}, speed{}));
+    };
   else if constexpr (flowing_law<Law>)
     (void)[](const Law& law, pair p, flattened_configuration<dimensional>& c, root_length flattening) {
       c.take(p, law.shape(p, flattening, law.yield_radius(p, flattening), c.radius));
@@ -131,6 +135,15 @@ void admit_flow(const contact_pair& pair, const Adhesion& adhesion, const Flow& 
                       " Pa: the contact would yield while adhesion draws it together, where this law creates energy");
   }
 }
+
+/// \throws bad_input where a contact with a peeling moment is not that of a sphere on a flat wall.
+template <class Tangential>
+void admit_bodies(const contact_pair& pair, const Tangential&) {
+  if constexpr (peeling_law<Tangential>)
+    if (const double r = in_si(pair.bodies.radius_2); !std::isinf(r))
+      throw bad_input("radius of the second body = " + shown(r) +
+                      " m is not that of a flat wall: the peeling moment is for a sphere on one");
+}
 } // namespace detail
 
 /// A contact model of exactly the physics named, in any order; laws' parameters are validated and tables made here.
@@ -157,6 +170,8 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
       "plastic flow within the motion goes with an adhesion law with a surface energy: take jkr or thornton_ning");
   static_assert(n.stick_slip == 0 || n.adhesion == n.attraction,
                 "a tangential law with stick and slip needs a Hertzian contact: drop the adhesion law or take coulomb");
+  static_assert(n.peeling == 0 || n.rebounding != 0,
+                "a peeling moment needs an adhesion law with a rebound coefficient: add line_force or take coulomb");
   static_assert(n.end < 2, "two end conditions were given: keep one");
   static_assert(n.crack == 0 || n.adhesion != n.attraction,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
@@ -190,6 +205,7 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     detail::admit(tangential);
     detail::admit(plasticity);
     detail::admit_flow(pair, adhesion, plasticity);
+    detail::admit_bodies(pair, tangential);
     constexpr requests asked{.ledger = detail::names<energy_ledger, Arguments...>,
                              .duration = detail::names<contact_duration, Arguments...>,
                              .extremes = detail::names<extremes, Arguments...>,

@@ -20,6 +20,7 @@ struct contact_model {
   static constexpr bool has_crack_law = is_present<Crack>;
   static constexpr bool slides = sliding_law<Tangential>;              ///< as a whole, or else rolls
   static constexpr bool sticks_and_slips = stick_slip_law<Tangential>; ///< both at once, at different places
+  static constexpr bool peels = peeling_law<Tangential>;               ///< what slides, resists being turned too
   static constexpr bool has_friction = slides || sticks_and_slips;
   static constexpr bool flows = flowing_law<Plasticity>;           ///< plastic flow is part of the motion
   static constexpr bool yields = is_present<Plasticity> && !flows; ///< its loss is added to that of the motion

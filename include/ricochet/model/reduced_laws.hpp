@@ -23,6 +23,7 @@ public:
   static constexpr bool damped = Model::damped;
   static constexpr bool free_edge = Model::has_crack_law;
   static constexpr bool slides = Model::slides;
+  static constexpr bool peels = Model::peels;
   static constexpr bool flows = Model::flows;
   using part = std::conditional_t<flows, flattened_configuration<reduced<T>>, configuration<reduced<T>>>;
   static constexpr bool sticks_and_slips = Model::sticks_and_slips;

@@ -1,6 +1,6 @@
 #pragma once
 #include <ricochet/law/crack/crack_velocity_law.hpp>
-#include <ricochet/model/shaped_laws.hpp>
+#include <ricochet/model/surface_laws.hpp>
 
 namespace ricochet {
 
@@ -13,8 +13,8 @@ namespace ricochet {
 /// (dy/dt)^2/ref^2), finite where the edge's speed is not.
 /// Plastic flow: the contact has a shape, that of the largest y so far.
 template <class T, class Model>
-class reduced_model : public shaped_laws<T, Model> {
-  using laws = shaped_laws<T, Model>;
+class reduced_model : public surface_laws<T, Model> {
+  using laws = surface_laws<T, Model>;
   using laws::flattening_;
   using laws::yield_coordinate_;
 
@@ -33,7 +33,6 @@ public:
   using laws::plasticity;
   using laws::root_coordinate;
   using laws::slides;
-  using laws::tangential;
   using typename laws::coordinate_t;
   using typename laws::part;
   static constexpr bool keeps_time = Model::asked.duration || Model::asked.trajectory || Model::has_friction;
@@ -42,7 +41,7 @@ public:
                         optionally<elapsed_time_t, keeps_time>, optionally<bulk_loss_t, Model::asked.ledger && damped>,
                         optionally<crack_loss_t, Model::asked.ledger && (free_edge || attracted)>,
                         std::conditional_t<flows, variables<largest_coordinate_t, plastic_loss_t>, variables<>>,
-                        std::conditional_t<slides, variables<slip_t, slip_distance_t>, variables<>>>;
+                        typename laws::surface_unknowns>;
   using state_type = state<T, unknowns>;
 
   reduced_model(const Model& model, const scales& unit)
@@ -102,8 +101,8 @@ public:
     return (root_ratio_gradient(now) * now.coordinate_rate - now.c.rate * now.clock) / (flattening_ * x[coordinate]);
   }
 
-  /// dx/d(sigma); false outside the domain. `sliding`: the contact point slides, else it rolls.
-  bool derivative(const state_type& x, state_type& dx, int piece, bool sliding = false) const {
+  /// dx/d(sigma); false outside the domain. `direction` in which the contact point slides, 0 while it rolls.
+  bool derivative(const state_type& x, state_type& dx, int piece, [[maybe_unused]] int direction = 0) const {
     const instant now = at(x, piece);
     if (!now.inside)
       return false;
@@ -127,13 +126,8 @@ public:
       dx[plastic_loss] =
           piece == 0 ? T(0) : T(this->plastic_loss_per_growth(now.c, x[coordinate]) * now.coordinate_rate);
     }
-    if constexpr (slides) { // homogeneous spheres: 1/m* + sum R_i^2/I_i = 7/2m*
-      dx[slip] =
-          sliding
-              ? T(-T(7) / T(2) * tangential.sliding_force(elastic.force(pair, now.c)) * now.clock / pair.reduced_mass)
-              : T(0);
-      dx[slip_distance] = x[slip] * now.clock;
-    }
+    if constexpr (slides)
+      laws::slide(now.c, x, dx, now.clock, direction);
     if constexpr (Model::asked.ledger && attracted)
       dx[crack_loss] = rebound_now * now.c.rate * now.clock;
     return true;

@@ -62,6 +62,14 @@ inline constexpr struct slip_t { ///< speed at which the contact point slides
 } slip;
 inline constexpr struct slip_distance_t {
 } slip_distance;
+inline constexpr struct surface_speed_t { ///< at which the sphere turns: spin times radius
+} surface_speed;
+inline constexpr struct surface_distance_t {
+} surface_distance;
+inline constexpr struct friction_loss_t {
+} friction_loss;
+inline constexpr struct peeling_loss_t {
+} peeling_loss;
 
 /// Packed state, read by name: x[approach_rate]. Works with odeint's steppers (model/odeint.hpp).
 template <class T, class Variables>

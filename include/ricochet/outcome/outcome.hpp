@@ -58,10 +58,20 @@ template <class Speed, class Length, class Duration>
 struct sliding_result {
   Speed slip{};                   ///< speed at which it still slides; < 0 backwards, as an elastic contact may
   bool sticks = false;            ///< somewhere in the contact; where it is Coulomb's, all of it: it rolls
-  double slip_error_estimate = 0; ///< bound of its error, in units of the slip at first touch
+  double slip_error_estimate = 0; ///< bound of its error, in units of the slip at first touch; of a
+                                  ///< model with a peeling moment also of the turning's, of the larger speed
   Length slip_distance{};         ///< over which it has moved, signed likewise
   Duration elapsed_time{};        ///< since first touch
   Speed approach_rate{};          ///< of the bodies, < 0 when they separate
+};
+
+/// Of a model with a peeling moment: the turning of the sphere, > 0 where it would roll along the first slip.
+template <class T, class AngularSpeed>
+struct rolling_result {
+  AngularSpeed spin{}; ///< at the ending
+  T rotation{};        ///< angle turned since first touch, rad
+  T friction_loss{};   ///< in units of the initial kinetic energy along the normal
+  T peeling_loss{};    ///< likewise
 };
 
 /// Of a model with a flowing law.
@@ -109,14 +119,15 @@ using part = std::conditional_t<Wanted, Part, nothing<Place>>;
 
 /// What came out of a collision. The parts that were not asked for in compose() are not there.
 template <class T, class Length, class Duration, class Force, class Speed, requests Asked, bool Friction = false,
-          bool Flows = false>
+          bool Flows = false, bool Peels = false, class AngularSpeed = T>
 struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.duration, duration_result<Duration>, 1>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
                        detail::part<Asked.trajectory, trajectory_result<Flows>, 3>,
                        detail::part<Friction, sliding_result<Speed, Length, Duration>, 4>,
                        detail::part<Flows, flow_result<T, Length>, 5>,
-                       detail::part<Asked.warnings, warnings_result, 6> {
+                       detail::part<Asked.warnings, warnings_result, 6>,
+                       detail::part<Peels, rolling_result<T, AngularSpeed>, 7> {
   ricochet::ending ending = ricochet::ending::failed;
   std::optional<T> restitution;  ///< of the final separation; absent when the bodies did not separate
   bool ending_is_certain = true; ///< false so near a threshold that the error bound does not decide
@@ -139,12 +150,12 @@ struct plastic_outcome : Elastic {
 
 /// The outcome that a contact model gives, in SI units; and on the numbers T of its reduced form.
 template <class Model>
-using elastic_outcome_of =
-    basic_outcome<double, length, duration, force, speed, Model::asked, Model::has_friction, Model::flows>;
+using elastic_outcome_of = basic_outcome<double, length, duration, force, speed, Model::asked, Model::has_friction,
+                                         Model::flows, Model::peels, angular_speed>;
 template <class Model>
 using outcome_of =
     std::conditional_t<Model::yields, plastic_outcome<elastic_outcome_of<Model>>, elastic_outcome_of<Model>>;
 template <class T, class Model>
-using reduced_outcome_of = basic_outcome<T, T, T, T, T, Model::asked, Model::has_friction, Model::flows>;
+using reduced_outcome_of = basic_outcome<T, T, T, T, T, Model::asked, Model::has_friction, Model::flows, Model::peels>;
 
 } // namespace ricochet

@@ -8,10 +8,12 @@
 namespace ricochet {
 
 /// An impact as the contact sees it. speed: of approach at first touch, > 0. slip: speed at which the contact point
-/// slides then, >= 0; needs a tangential law. oblique.hpp has impacts by angle, velocity and spin.
+/// slides then, >= 0; needs a tangential law. spin: of a sphere with a peeling moment, which alone makes it matter; > 0
+/// where it would roll along the slip. oblique.hpp has impacts by angle, velocity and spin.
 struct impact {
   ricochet::speed speed;
   ricochet::speed slip{};
+  angular_speed spin{};
 };
 
 /// tolerance: largest error wanted in the restitution, absolute, 1e-12 to 1e-1.
@@ -29,7 +31,8 @@ namespace detail {
 /// round-off forbids better. The finer solution is the result, the difference the bound of its error.
 template <class Stepper, class Reduced>
 auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& speed,
-                        const typename Reduced::number& slip_at_touch, const collide_options& options) {
+                        const typename Reduced::number& slip_at_touch, const typename Reduced::number& spin,
+                        const collide_options& options) {
   using T = typename Reduced::number;
   using real = real_of<T>;
   using Model = typename Reduced::model_type;
@@ -42,8 +45,8 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     tolerance = max(tolerance, finest);
     collision<Reduced, Stepper> coarse(model, tolerance, options.max_evaluations),
         fine(model, tolerance / refinement, options.max_evaluations);
-    const auto rough = coarse.solve(speed, slip_at_touch);
-    auto out = fine.solve(speed, slip_at_touch);
+    const auto rough = coarse.solve(speed, slip_at_touch, spin);
+    auto out = fine.solve(speed, slip_at_touch, spin);
     const long fine_evaluations = out.evaluations;
     out.evaluations = evaluations += rough.evaluations + out.evaluations;
     out.rejected_steps = rejected += rough.rejected_steps + out.rejected_steps;
@@ -94,10 +97,16 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
       out.ending_is_certain &= excess > 2 * energy_error && !(fine.near_miss() < miss);
     }
     out.error_estimate = static_cast<double>(error);
-    if constexpr (Model::has_friction)
-      if (value_of(slip_at_touch) > real(0))
-        out.slip_error_estimate += static_cast<double>(
-            (abs(value_of(out.slip - rough.slip)) * 3 / 2 + by_chance * v) / value_of(slip_at_touch) + round_off);
+    if constexpr (Model::has_friction) {
+      real size = value_of(slip_at_touch), difference = abs(value_of(out.slip - rough.slip));
+      if constexpr (Model::peels) {
+        const real radius = value_of(T(model.pair.reduced_radius));
+        size = max<real>(size, abs(value_of(spin)) * radius);
+        difference = max<real>(difference, abs(value_of(out.spin - rough.spin)) * radius);
+      }
+      if (size > real(0))
+        out.slip_error_estimate += static_cast<double>((difference * 3 / 2 + by_chance * v) / size + round_off);
+    }
     if ((error <= wanted && out.ending_is_certain) || last_round)
       return out;
     tolerance *= max<real>(real(1e-4), min<real>(real(0.3), wanted / (2 * error)));
@@ -138,6 +147,12 @@ outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, 
     out.slip_distance = numbers.slip_distance * unit.length * units::metres;
     out.elapsed_time = numbers.elapsed_time * unit.duration * units::seconds;
     out.approach_rate = numbers.approach_rate * metre_per_second * units::metres_per_second;
+  }
+  if constexpr (Model::peels) {
+    out.spin = numbers.spin / unit.duration * units::radians_per_second;
+    out.rotation = numbers.rotation;
+    out.friction_loss = numbers.friction_loss;
+    out.peeling_loss = numbers.peeling_loss;
   }
   if constexpr (Model::asked.trajectory) {
     out.trajectory = numbers.trajectory;
@@ -185,6 +200,10 @@ void admit(const impact& impact, const collide_options& options) {
   require("slip", impact.slip, non_negative);
   if (!Model::has_friction && in_si(impact.slip) != 0)
     throw bad_input("slip = " + shown(in_si(impact.slip)) + " m/s needs a tangential law in the model: add coulomb");
+  require("spin", impact.spin, any_finite);
+  if (!Model::peels && in_si(impact.spin) != 0)
+    throw bad_input("spin = " + shown(in_si(impact.spin)) +
+                    " rad/s needs a peeling moment in the model: without one, the slip says all");
 }
 
 } // namespace detail
@@ -207,7 +226,8 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
     const scales unit = scales_at(model, impact.speed);
     const reduced_model<double, Model> numbers(model, unit);
     const auto found = detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit),
-                                                           reduce<double>(impact.slip, unit), options);
+                                                           reduce<double>(impact.slip, unit),
+                                                           reduce<double>(impact.spin, unit), options);
     return detail::warned(model, impact.speed, detail::in_si_units<Model>(found, unit));
   }
 }

@@ -4,6 +4,7 @@
 #include <ricochet/solve/event.hpp>
 #include <ricochet/solve/ledger.hpp>
 #include <ricochet/solve/observers.hpp>
+#include <ricochet/solve/sliding.hpp>
 #include <ricochet/solve/stick_slip.hpp>
 
 namespace ricochet {
@@ -23,16 +24,16 @@ public:
 
   collision(const Reduced& model, const real& tolerance, long budget)
       : model_(model), flow_{model}, events_(flow_), edge_(model), ledger_(model), capture_(model),
-        stick_slip_(model, tolerance), tolerance_(tolerance), budget_(budget),
+        sliding_(model, tolerance), stick_slip_(model, tolerance), tolerance_(tolerance), budget_(budget),
         longest_step_(model.typical_time() * longest_relative_step(tolerance)) {}
   collision(const collision&) = delete;
 
   /// \param slip speed at which the contact point slides at first touch, >= 0; of no consequence without friction
-  outcome_type solve(const T& speed, [[maybe_unused]] const T& slip_at_touch = T(0)) {
+  /// \param spin of the sphere then, of no consequence without a peeling moment
+  outcome_type solve(const T& speed, const T& slip_at_touch = T(0), const T& spin = T(0)) {
     ledger_.impact(speed);
     state_type x = model_.touch(speed);
-    if constexpr (Reduced::slides)
-      x[slip] = slip_at_touch;
+    sliding_.start(x, slip_at_touch, spin);
     stick_slip_.start(slip_at_touch);
     for (;; ++out_.contacts) {
       touched(x);
@@ -55,11 +56,7 @@ public:
     out_.evaluations = flow_.evaluations;
     if constexpr (asked.duration)
       out_.contact_duration = x[elapsed_time];
-    if constexpr (Reduced::slides) {
-      out_.slip = x[slip];
-      out_.slip_distance = x[slip_distance];
-      out_.sticks = !flow_.sliding;
-    }
+    sliding_.report(out_, flow_, x);
     if constexpr (Reduced::model_type::has_friction) {
       out_.elapsed_time = x[elapsed_time];
       out_.approach_rate = x[approach_rate];
@@ -86,10 +83,9 @@ public:
 private:
   typename Reduced::part now(const state_type& x) const { return model_.at(x, flow_.piece).c; }
 
-  void touched(const state_type& x) {
+  void touched(state_type& x) {
     flow_.piece = 0;
-    if constexpr (Reduced::slides)
-      flow_.sliding = value_of(x[slip]) > real(0);
+    sliding_.touched(flow_, x);
     approaching_ = true;
     ledger_.touch(now(x));
     if (has_turned_)
@@ -100,7 +96,7 @@ private:
 
   /// Integrates until the contact lets go; false where the collision has ended otherwise.
   bool follow_contact(state_type& x) {
-    method_type method(tolerance_, model_.typical());
+    method_type method(tolerance_, sliding_.sized(model_.typical()));
     kink_grading<real> kink{.closest = sqrt(tolerance_) / 16};
     events_.restart(x, approaching_);
     if (!Reduced::adhesive) // the overlap starts at zero
@@ -175,11 +171,8 @@ private:
   /// The contact goes on after this event.
   void happened(event which, state_type& x) {
     if constexpr (Reduced::slides)
-      if (which == event::rolling) {
-        x[slip] = T(0);
-        flow_.sliding = false;
-        return;
-      }
+      if (which == event::rolling)
+        return sliding_.halted(flow_, x);
     if constexpr (Reduced::flows)
       flow_.set_plastic(which == event::yielding, x);
     if (which != event::turning) {
@@ -227,10 +220,7 @@ private:
       next[bulk_loss] = x[bulk_loss];
     if constexpr (asked.ledger && (Reduced::free_edge || Reduced::attracted))
       next[crack_loss] = x[crack_loss];
-    if constexpr (Reduced::slides) {
-      next[slip] = x[slip];
-      next[slip_distance] = x[slip_distance] + x[slip] * (next[elapsed_time] - x[elapsed_time]);
-    }
+    sliding_.flew(x, next);
     return next;
   }
 
@@ -247,6 +237,7 @@ private:
   ledger<Reduced> ledger_;
   capture<Reduced> capture_;
   [[no_unique_address]] observers<Reduced, method_type> observers_;
+  [[no_unique_address]] sliding<Reduced> sliding_;
   [[no_unique_address]] stick_slip<Reduced> stick_slip_;
   real tolerance_;
   long budget_;

@@ -14,7 +14,7 @@ enum class event {
   zero_force,    ///< end of a damped contact without adhesion
   leaving_below, ///< of the crack law's piece, towards smaller beta
   leaving_above, ///< of the crack law's piece, towards larger beta
-  rolling,       ///< the contact point slides no longer
+  rolling,       ///< begins, or ends: the contact point slides no longer, or again
   yielding,      ///< the contact radius exceeds the largest so far
 };
 inline constexpr std::size_t event_count = 7;
@@ -34,7 +34,8 @@ public:
       fold_ = model.fold_coordinate();
   }
 
-  T value(event which, const state_type& x, int piece, bool approaching) const {
+  /// `direction` in which the contact point slides.
+  T value(event which, const state_type& x, int piece, bool approaching, [[maybe_unused]] int direction = 1) const {
     switch (which) {
     case event::turning:
       return approaching ? x[approach_rate] : T(-x[approach_rate]);
@@ -74,7 +75,10 @@ public:
       }
       break;
     case event::rolling:
-      if constexpr (Reduced::slides)
+      if constexpr (Reduced::peels) // where it begins to slide from rest, round-off shall not stop it
+        return direction == 0 ? model_.excess_of_friction(model_.at(x, piece).c, x[surface_speed])
+                              : T(T(direction) * x[slip] + T(std::numeric_limits<real>::epsilon()));
+      else if constexpr (Reduced::slides)
         return x[slip];
       break;
     case event::yielding:
@@ -166,7 +170,10 @@ public:
         continue;
       if (!(value_of(value(which, x)) > real(0)))
         return {which, found.part, x, false};
+      const auto before = found;
       locate(which, method, x, found);
+      if (before.which == event::letting_go && !(value_of(value(event::letting_go, found.x)) > real(0)))
+        found = before; // at the very end of the contact: it lets go all the same
     }
     return found;
   }
@@ -212,7 +219,9 @@ private:
     found.valid = false;
   }
 
-  T value(event which, const state_type& x) const { return values_.value(which, x, flow_.piece, approaching_); }
+  T value(event which, const state_type& x) const {
+    return values_.value(which, x, flow_.piece, approaching_, flow_.direction);
+  }
 
   Flow& flow_;
   event_values<model_type> values_;

@@ -13,7 +13,7 @@ struct flow {
 
   const Reduced& model;
   int piece = 0;        ///< of the crack law, or 1 while plastic flow goes on; held during a step: steps are smooth
-  bool sliding = false; ///< of the contact point; held likewise
+  int direction = 0;    ///< in which the contact point slides, 0 while it rolls; held likewise
   bool outside = false; ///< set when a stage left the domain of the equations; its step has to be rejected
   long evaluations = 0;
 
@@ -27,7 +27,7 @@ struct flow {
 
   void operator()(const state_type& x, state_type& dx, const real&) {
     ++evaluations;
-    if (model.derivative(x, dx, piece, sliding))
+    if (model.derivative(x, dx, piece, direction))
       return;
     outside = true;
     for (auto& component : dx)

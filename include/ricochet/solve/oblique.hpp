@@ -1,6 +1,7 @@
 // Impacts at an angle and with spin, in the plane and in space: what friction at the contact does to the bodies.
 #pragma once
 #include <ricochet/solve/collide.hpp>
+#include <ricochet/solve/planar.hpp>
 
 #include <Eigen/Geometry>
 
@@ -21,9 +22,19 @@ struct oblique_impact {
   angular_speed spin_1{}, spin_2{};
 };
 
+/// Of a model with a peeling moment.
+struct peeling_outcome {
+  double peeling_loss = 0; ///< taken by it, in units of the initial kinetic energy of the motion along the normal
+};
+
+namespace detail {
+template <class Model>
+using peeling_part = part<Model::peels, peeling_outcome, 0>;
+}
+
 /// What came of an impact with friction. `normal` is the outcome of the motion along the normal.
 template <class Model>
-struct spatial_outcome {
+struct spatial_outcome : detail::peeling_part<Model> {
   outcome_of<Model> normal;
   Eigen::Vector3d velocity, spin_1, spin_2; ///< at the ending, as in spatial_impact; captured: when that was certain
   Eigen::Vector3d slip;                     ///< velocity of the contact point of the first body over the second
@@ -36,7 +47,7 @@ struct spatial_outcome {
 };
 
 template <class Model>
-struct oblique_outcome {
+struct oblique_outcome : detail::peeling_part<Model> {
   outcome_of<Model> normal;
   speed tangential_speed; ///< of the relative motion, along its initial direction
   angular_speed spin_1, spin_2;
@@ -51,8 +62,7 @@ struct oblique_outcome {
 namespace detail {
 inline void require_finite(const char* name, const Eigen::Vector3d& vector) {
   for (int i = 0; i < 3; ++i)
-    require(std::string(name) + "[" + std::to_string(i) + "]", vector[i],
-            range{.low = -std::numeric_limits<double>::max(), .low_included = true});
+    require(std::string(name) + "[" + std::to_string(i) + "]", vector[i], any_finite);
 }
 inline constexpr double negligible_turn = 1e-2; // rad
 } // namespace detail
@@ -62,7 +72,8 @@ inline constexpr double negligible_turn = 1e-2; // rad
 /// collide().
 /// Friction is tangential, so that the contact point moves along one direction, of an elastic contact also backwards,
 /// and slip and way are measured along it; homogeneous spheres: d(slip) = -(7/2) impulse/m*. The normal is held fixed
-/// during contact. Source: Brach & Dunn 1995, appendix B, in space.
+/// during contact. With a peeling moment, of a sphere on a wall, the motion has to stay in a plane: \throws bad_input
+/// for spin_1 out of it. Source: Brach & Dunn 1995, appendix B, in space.
 template <class Stepper = stepper::automatic, class Model>
 auto collide(const Model& model, const spatial_impact& impact, const collide_options& options = {}, Stepper = {}) {
   static_assert(Model::has_friction, "an oblique impact needs a tangential law: add coulomb");
@@ -83,24 +94,34 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
   const Eigen::Vector3d surface_spin =
       r1 * impact.spin_1 + (wall ? Eigen::Vector3d::Zero() : Eigen::Vector3d(r2 * impact.spin_2));
   const Eigen::Vector3d slip = impact.velocity - closing * n + surface_spin.cross(n);
-  const double sliding = slip.norm();
-  const Eigen::Vector3d direction = sliding > 0 ? Eigen::Vector3d(slip / sliding) : Eigen::Vector3d::Zero();
+  double sliding = slip.norm(), spin = 0;
+  Eigen::Vector3d direction = sliding > 0 ? Eigen::Vector3d(slip / sliding) : Eigen::Vector3d::Zero();
+  if constexpr (Model::peels) {
+    const auto motion = detail::planar(n, impact.velocity - closing * n, impact.spin_1, r1, closing);
+    direction = motion.forward, sliding = motion.slip, spin = motion.spin;
+  }
 
   spatial_outcome<Model> out;
-  out.normal =
-      integrate(model, {.speed = closing * units::metres_per_second, .slip = sliding * units::metres_per_second},
-                options, Stepper{});
-  const double still_sliding = std::clamp(in_si(out.normal.slip), -sliding, sliding),
-               time = in_si(out.normal.elapsed_time),
+  out.normal = integrate(model,
+                         {.speed = closing * units::metres_per_second,
+                          .slip = sliding * units::metres_per_second,
+                          .spin = spin * units::radians_per_second},
+                         options, Stepper{});
+  double still_sliding = in_si(out.normal.slip);
+  if constexpr (!Model::peels) // a moment may make it slide faster
+    still_sliding = std::clamp(still_sliding, -sliding, sliding);
+  const double time = in_si(out.normal.elapsed_time),
                rate = out.normal.restitution ? -*out.normal.restitution * closing : in_si(out.normal.approach_rate);
-  const double impulse = 2. / 7 * m * (sliding - still_sliding); // on the first body, against the direction
-  const Eigen::Vector3d turning = impulse * n.cross(direction);  // each spin changes by -turning r/(2/5 m r^2)
+  double impulse = 2. / 7 * m * (sliding - still_sliding); // on the first body, against the direction
+  if constexpr (Model::peels)
+    impulse = m * (sliding - still_sliding + r1 * (spin - in_si(out.normal.spin)));
+  const Eigen::Vector3d turning = impulse * n.cross(direction); // each spin changes by -turning r/(2/5 m r^2)
   out.velocity = impact.velocity + (rate - closing) * n - impulse / m * direction;
   out.spin_1 = impact.spin_1 - turning * (2.5 / (m1 * r1));
   out.spin_2 = wall ? impact.spin_2 : Eigen::Vector3d(impact.spin_2 - turning * (2.5 / (m2 * r2)));
   out.slip = still_sliding * direction;
   out.rolls = out.normal.sticks;
-  out.impulse_ratio = impulse / (m * (closing - rate));
+  out.impulse_ratio = std::abs(impulse) / (m * (closing - rate));
   out.friction_loss = 2. / 7 * (sliding - still_sliding) * (sliding + still_sliding) / (closing * closing);
   // Impulse over time and twice over time: int J dt = (2/7) m* (slip_0 t - slip distance).
   const double impulse_time = 2. / 7 * m * (sliding * time - in_si(out.normal.slip_distance));
@@ -109,6 +130,12 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
   out.rotation_2 = wall ? 0 : (impact.spin_2 * time - turned * (2.5 / (m2 * r2))).norm();
   const Eigen::Vector3d shift = (impact.velocity - closing * n) * time - impulse_time / m * direction;
   out.normal_turn = wall ? 0 : shift.norm() / (r1 + r2);
+  if constexpr (Model::peels) { // the impulse does not say all
+    out.spin_1 = impact.spin_1 - (spin - in_si(out.normal.spin)) * direction.cross(n);
+    out.rotation_1 = std::abs(out.normal.rotation);
+    out.friction_loss = out.normal.friction_loss;
+    out.peeling_loss = out.normal.peeling_loss;
+  }
   if (out.normal_turn > detail::negligible_turn)
     out.warnings.push_back("the turn of the normal in contact is " + shown(out.normal_turn) +
                            " rad: above 0.01 rad, it should not be neglected");
@@ -120,8 +147,8 @@ template <class Stepper = stepper::automatic, class Model>
 auto collide(const Model& model, const oblique_impact& impact, const collide_options& options = {}, Stepper = {}) {
   require("speed", impact.speed, positive);
   require("angle", impact.angle, range{.high = pi<double>() / 2, .high_included = false});
-  require("spin_1", impact.spin_1, range{.low = -std::numeric_limits<double>::max(), .low_included = true});
-  require("spin_2", impact.spin_2, range{.low = -std::numeric_limits<double>::max(), .low_included = true});
+  require("spin_1", impact.spin_1, any_finite);
+  require("spin_2", impact.spin_2, any_finite);
   // normal x, motion along y; a spin about -z rolls the first body along y, and so does it with the second
   const double v = in_si(impact.speed);
   const Eigen::Vector3d axis = -Eigen::Vector3d::UnitZ();
@@ -144,6 +171,8 @@ auto collide(const Model& model, const oblique_impact& impact, const collide_opt
   out.rolls = solved.rolls;
   out.impulse_ratio = std::copysign(solved.impulse_ratio, before - after);
   out.friction_loss = solved.friction_loss;
+  if constexpr (Model::peels)
+    out.peeling_loss = solved.peeling_loss;
   out.rotation_1 = solved.rotation_1;
   out.rotation_2 = solved.rotation_2;
   out.normal_turn = solved.normal_turn;

@@ -17,4 +17,11 @@ concept attraction_law = any_law<L> && plays<L, role::adhesion> &&
   { law.equivalent_work_of_adhesion(pair) } -> std::same_as<double>; // for the scales of a collision
 };
 
+/// One that peels: c_A, s/m, by which it is stronger at an edge that opens; a rolling contact opens at its trailing
+/// one.
+template <class L>
+concept rebounding_law = attraction_law<L> && requires(const typename L::template in<reduced<double>> law) {
+  { law.rebound_coefficient } -> std::convertible_to<double>;
+};
+
 } // namespace ricochet

@@ -7,7 +7,7 @@ namespace ricochet {
 /// F_t = -f F_E slip/|slip| while it slides, 0 once it rolls; F_E is the elastic force where it presses, else 0
 /// friction_coefficient: f, >= 0.
 /// Valid where the contact slips as a whole: no creep before sliding. Adhesion and damping do not press.
-/// Source: Brach & Dunn 1995, appendix B, without the peeling moment (lambda = 0, as in their results).
+/// Source: Brach & Dunn 1995, appendix B; coulomb_with_peeling has their peeling moment too.
 template <class S>
 struct coulomb_law {
   using role = role::tangential;

@@ -11,6 +11,15 @@ concept sliding_law = any_law<L> && plays<L, role::tangential> &&
   { law.sliding_force(elastic_force) } -> std::same_as<double>;
 };
 
+/// A sliding law whose contact also resists the turning of a sphere on a wall: so slip and spin are two unknowns.
+/// Axiom: edge_resistance * surface_speed >= 0, and in proportion to surface_speed.
+template <class L>
+concept peeling_law = sliding_law<L> &&
+    requires(const typename L::template in<reduced<double>> law, const basic_pair<reduced<double>>& pair,
+             double rebound_coefficient, double surface_speed) {
+  { law.edge_resistance(pair, rebound_coefficient, surface_speed) } -> std::same_as<double>;
+};
+
 /// Tangential law of a contact that may stick at one place while it slips at another: a bed of springs, each of which
 /// sticks until it is stretched as far as friction holds it there (solve/stick_slip.hpp).
 /// Axiom: 0 <= largest_stretch, in proportion to the press, and 0 < stiffness.
