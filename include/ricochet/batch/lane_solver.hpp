@@ -148,14 +148,7 @@ private:
     const mask never = Lanes(1) < Lanes(0), outward = x[approach_rate] < Lanes(0);
     now_.has_turned = where(outward, Lanes(1), now_.has_turned);
 
-    // Time to the event ahead: by a parabola where the coordinate itself says when, else by the tangent.
-    const Lanes distance = x[m.coordinate] - now_.end, speed = -slope[m.coordinate];
-    const Lanes root = speed * speed - Lanes(2) * slope[approach_rate] * distance;
-    Lanes ahead = Lanes(2) * distance / (speed + sqrt(max(root, Lanes(0))));
-    ahead = where(root >= Lanes(0), ahead, Lanes(infinite));
-    if constexpr (ends_without_force)
-      ahead = min(ahead, time_to_zero_force(x, slope));
-    ahead = where(outward, ahead, Lanes(infinite));
+    Lanes ahead = where(outward, time_to_end(x, slope), Lanes(infinite));
     mask turns = never;
     if constexpr (kinks_at_turning) {
       turns = (now_.has_turned < Lanes(1)) & (slope[approach_rate] < Lanes(0));
@@ -177,23 +170,40 @@ private:
     }
 
     const mask lands = (ahead <= now_.h) & ~turns;
-    const Lanes h = where(lands, ahead, now_.h);
     state_type next, error{};
+    const Lanes h = where(lands, ahead, now_.h);
     stepper_.do_step(system, x, slope, Lanes(0), next, h, error);
+    advance(next, error, h, lands, turns);
+    const mask aside = (now_.steps >= Lanes(most_steps)) | (now_.h <= Lanes(1e-12) * now_.longest);
+    return {let_go.bits(), captured.bits(), aside.bits()};
+  }
+
+  /// Lanes whose step of size h was good enough move on, and every lane gets the size of its next one; one that was
+  /// shortened to land at an event does not change it.
+  void advance(const state_type& next, const state_type& error, const Lanes& h, const mask& lands, const mask& turns) {
     Lanes largest = abs(error[0]) * now_.per_error[0];
     for (std::size_t i = 1; i < error.size(); ++i)
       largest = max(largest, abs(error[i]) * now_.per_error[i]);
     const mask accepted = largest <= Lanes(1);
+    for (std::size_t i = 0; i < next.size(); ++i)
+      now_.x[i] = where(accepted & ~turns, next[i], now_.x[i]);
     // The error goes as the sixth power of the step; the eighth root is cheap, and cautious.
-    const Lanes change = where(largest > Lanes(1e-8), Lanes(0.9) / sqrt(sqrt(sqrt(largest))), Lanes(5));
-    const Lanes other =
-        abs(h) * where(accepted | (largest < Lanes(infinite)), max(min(change, Lanes(5)), Lanes(0.1)), Lanes(0.25));
-    for (std::size_t i = 0; i < error.size(); ++i)
-      x[i] = where(accepted & ~turns, next[i], x[i]);
-    now_.h = where(turns | (accepted & lands), now_.h, min(other, now_.longest));
+    const Lanes root = Lanes(0.9) / sqrt(sqrt(sqrt(max(largest, Lanes(1e-8)))));
+    const Lanes change = where(largest < Lanes(infinite), max(min(root, Lanes(5)), Lanes(0.1)), Lanes(0.25));
+    now_.h = where(turns | (accepted & lands), now_.h, min(abs(h) * change, now_.longest));
     now_.steps += Lanes(1);
-    const mask aside = (now_.steps >= Lanes(most_steps)) | (now_.h <= Lanes(1e-12) * now_.longest);
-    return {let_go.bits(), captured.bits(), aside.bits()};
+  }
+
+  /// By a parabola to where the overlap or the static branch ends, by the tangent to where the force does.
+  Lanes time_to_end(const state_type& x, const state_type& slope) const {
+    const Lanes distance = x[reduced_type::coordinate] - now_.end, speed = -slope[reduced_type::coordinate];
+    const Lanes root = speed * speed - Lanes(2) * slope[approach_rate] * distance;
+    const Lanes parabola = Lanes(2) * distance / (speed + sqrt(max(root, Lanes(0))));
+    const Lanes time = where(root >= Lanes(0), parabola, Lanes(infinite));
+    if constexpr (ends_without_force)
+      return min(time, time_to_zero_force(x, slope));
+    else
+      return time;
   }
 
   /// Tangent to F/D + rate along the motion.
