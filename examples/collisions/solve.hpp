@@ -14,7 +14,7 @@ namespace collisions {
 using normal_outcome =
     ricochet::basic_outcome<double, ricochet::length, ricochet::duration, ricochet::force, ricochet::speed,
                             ricochet::requests{.ledger = true, .duration = true, .extremes = true, .warnings = true},
-                            true>;
+                            true, false, false, ricochet::angular_speed>;
 
 /// What friction did to the bodies: the members of ricochet::oblique_outcome, of any model.
 struct friction_outcome {
