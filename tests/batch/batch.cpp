@@ -94,6 +94,38 @@ BOOST_AUTO_TEST_CASE(outcomes_are_those_of_lone_impacts_and_errors_below_their_e
   });
 }
 
+BOOST_AUTO_TEST_CASE(wells_far_deeper_than_the_impact_are_allowed_for) {
+  // Undamped, a contact without an edge gives back all; its well may be a million times as deep as the impact's energy.
+  const contact_pair pair = between(sphere{materials::water_ice, 10 * micrometres}, flat_wall{materials::water_ice});
+  const auto model = compose(pair, hertz{}, dmt{.work_of_adhesion = 0.74 * joules_per_square_metre});
+  std::vector<impact> impacts;
+  for (double v = 1e-4; v < 1; v *= 1.03)
+    impacts.push_back({v * metres_per_second});
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    const auto found = collide(model, impacts, {.tolerance = tolerance});
+    for (std::size_t i = 0; i < impacts.size(); ++i)
+      for (const auto& out : {found[i], integrate(model, impacts[i], {.tolerance = tolerance})})
+        BOOST_TEST_CONTEXT("tolerance " << tolerance << ", speed " << in_si(impacts[i].speed)) {
+          BOOST_TEST((out.ending == ending::separated || !out.ending_is_certain));
+          BOOST_TEST(std::abs(1 - out.restitution.value_or(0)) <= out.error_estimate);
+        }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_kink_of_a_rebound_that_is_pulled_harder_is_not_stepped_over) {
+  const contact_pair pair{.reduced_modulus = 102871434.50456361 * pascals,
+                          .reduced_radius = 5.5671503528674942e-05 * metres,
+                          .reduced_mass = 3.4106468738939059e-09 * kilograms};
+  const auto model = compose(pair, hertz{}, hunt_crossley{6.4972322938125433e-05 * seconds_per_metre},
+                             line_force{.force_per_length = 2.3529522713092046 * newtons_per_metre,
+                                        .rebound_coefficient = 8.4834728472334469 * seconds_per_metre});
+  const std::vector<impact> impacts{{0.041823857687308105 * metres_per_second}};
+  const auto found = collide(model, impacts, {.tolerance = 1e-9})[0];
+  const auto expected = integrate(model, impacts[0], {.tolerance = 1e-12});
+  BOOST_TEST(found.error_estimate <= 1e-9);
+  BOOST_TEST(std::abs(*found.restitution - *expected.restitution) <= found.error_estimate + expected.error_estimate);
+}
+
 BOOST_AUTO_TEST_CASE(company_order_and_threads_do_not_change_a_bit) {
   for_each_kind([](const char* name, const auto& composed) {
     const auto batch = random_batch(composed, 1000, 2);

@@ -13,7 +13,7 @@ namespace {
 const contact_pair on_wall = between(sphere{materials::quartz, 5 * micrometres}, flat_wall{materials::steel});
 auto numbers_of(const auto& tangential) {
   const auto model = compose(on_wall, hertz{}, line_force{1 * newtons_per_metre, 0.5 * seconds_per_metre}, tangential);
-  return reduced_model<double, std::remove_const_t<decltype(model)>>(model, model.scales_at(1 * metres_per_second));
+  return reduced_model<double, std::remove_const_t<decltype(model)>>(model, scales_at(model, 1 * metres_per_second));
 }
 const auto peeling = numbers_of(coulomb_with_peeling{0.2, 3e-9 * joules});
 const auto plain = numbers_of(coulomb{0.2});

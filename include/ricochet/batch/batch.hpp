@@ -37,8 +37,13 @@ using batch_lanes = lanes<xsimd::batch<double>, 2>;
 /// Step tolerance, in units of the speed, for a wanted error of the restitution: the steps' own estimate goes as the
 /// sixth power of the step, the error of a whole collision as the seventh.
 inline double lane_tolerance(double wanted) { return std::min(1.4 * std::pow(wanted, 6. / 7), 1.5e-4); }
-/// Error of a collision's energy to be reckoned with, unless found larger, in units of the kinetic one.
-inline double usual_lane_error(double tolerance) { return 0.1 * std::pow(tolerance, 7. / 6); }
+/// Error of a collision's energy to be reckoned with, unless found larger, in units of the kinetic one, in which
+/// `largest` is the largest energy met. Contacts pulled by a force without an edge err up to ten times more than
+/// others.
+template <class Model>
+double usual_lane_error(double tolerance, double largest) {
+  return (Model::attracted ? 0.5 : 0.1) * std::pow(tolerance, 7. / 6) * std::sqrt(largest);
+}
 
 /// Outcome from two solutions at step tolerances `tolerance` and a quarter of it, both in units of the speed; none
 /// where they do not tell the outcome to the tolerance wanted.
@@ -48,7 +53,8 @@ std::optional<outcome_of<Model>> outcome_of_lanes(const lane_solution& rough, co
   if (rough.fate != fine.fate || fine.fate == lane_fate::set_aside)
     return std::nullopt;
   const double round_off = (16 + fine.steps / 5) * std::numeric_limits<double>::epsilon() * fine.largest_energy;
-  const double energy_error = std::max(std::abs(fine.excess - rough.excess), usual_lane_error(tolerance));
+  const double energy_error =
+      std::max(std::abs(fine.excess - rough.excess), usual_lane_error<Model>(tolerance, fine.largest_energy));
   outcome_of<Model> out;
   out.evaluations = (rough.steps + fine.steps) * evaluations_a_step;
   if (fine.fate == lane_fate::captured) { // the solutions were looked at at different instants

@@ -152,7 +152,9 @@ private:
     mask turns = never;
     if constexpr (kinks_at_turning) {
       turns = (now_.has_turned < Lanes(1)) & (slope[approach_rate] < Lanes(0));
-      ahead = where(turns, -x[approach_rate] / slope[approach_rate], ahead);
+      const Lanes tangent = -x[approach_rate] / slope[approach_rate]; // leads beyond the kink, less so from near
+      const Lanes part = where(tangent < Lanes(0.1) * now_.longest, Lanes(0.95), Lanes(0.6));
+      ahead = where(turns, tangent * where(tangent < Lanes(16) * now_.close, Lanes(1), part), ahead);
       turns = turns & (ahead < now_.close);
       for (std::size_t i = 0; i < x.size(); ++i)
         x[i] = where(turns, x[i] + slope[i] * ahead, x[i]);
@@ -164,7 +166,8 @@ private:
     mask captured = never;
     if constexpr (pulled) {
       const part c = m.at(x, 0).c;
-      const Lanes left = m.kinetic_energy(c.rate) + m.potential(c) - m.exit_energy();
+      const Lanes potential = m.potential(c), left = m.kinetic_energy(c.rate) + potential - m.exit_energy();
+      now_.largest_energy = max(now_.largest_energy, abs(potential));
       captured = (left < Lanes(0)) & (now_.has_turned > Lanes(0)) & ~let_go;
       excess_ = where(captured, left, excess_);
     }

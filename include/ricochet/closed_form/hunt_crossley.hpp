@@ -33,6 +33,7 @@ struct hunt_crossley_impact {
 inline double damping_group(inverse_speed c, speed v) {
   require("damping_coefficient", c, non_negative);
   require("speed", v, positive);
+  require("damping_coefficient * speed", double(c * v), non_negative);
   return c * v;
 }
 

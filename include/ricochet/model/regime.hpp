@@ -50,7 +50,7 @@ struct regime_report {
            "above 0.1, the crack law's short zone is not short");
     if (speed_over_yield)
       warn(*speed_over_yield > 100, "the impact's speed over the yield speed", *speed_over_yield,
-           "above 100, plastic flow is not enclosed and its loss cannot be added");
+           "above 100, plastic flow is not enclosed by elastic material, as the law takes it to be");
     return all;
   }
 };

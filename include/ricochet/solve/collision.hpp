@@ -122,6 +122,8 @@ private:
         observers_.stepped(flow_, method, ledger_, x, tried.x, tried.taken);
         stick_slip_.stepped(flow_, method, x, tried.x, tried.taken);
         x = tried.x;
+        if constexpr (Reduced::attracted) // its well is deepest between touch and turning
+          ledger_.meet(now(x));
         kink.since += tried.taken;
         h = tried.next;
         method.moved();

@@ -110,6 +110,8 @@ auto collide(const Model& model, const spatial_impact& impact, const collide_opt
   double still_sliding = in_si(out.normal.slip);
   if constexpr (!Model::peels) // a moment may make it slide faster
     still_sliding = std::clamp(still_sliding, -sliding, sliding);
+  if (std::abs(sliding - still_sliding) <= 4 * std::numeric_limits<double>::epsilon() * sliding)
+    still_sliding = sliding; // the round-off of scales is no friction
   const double time = in_si(out.normal.elapsed_time),
                rate = out.normal.restitution ? -*out.normal.restitution * closing : in_si(out.normal.approach_rate);
   double impulse = 2. / 7 * m * (sliding - still_sliding); // on the first body, against the direction
