@@ -30,16 +30,23 @@ INPUT
   copied, with a note on standard error where one nearly has a name from above.
 
 LAWS for the column model
-  hertz                      elastic spheres; always needed
+  hertz, linear              elastic spheres, or linear springs, without adhesion; always one of them
   jkr, line_force, dmt       adhesion; one of them
-  greenwood, greenwood_fit   finite speed of the adhesive edge, with jkr: exact, or as published; one of them
+  greenwood, greenwood_fit, maugis_barquins
+                             finite speed of the adhesive edge, with jkr: exact, as published, or a power law; one of
+                             them
   kuwabara_kono, hunt_crossley, tsuji
-                             damping in the bulk; one of them
+                             damping in the bulk, with hertz; one of them
+  linear_dashpot             damping, with linear
   coulomb, mindlin           friction of oblique impacts and spinning bodies: slides or rolls as a whole, or sticks and
-                             slips at once (not with jkr; with the automatic stepper only); one of them
-  thornton_ning              plastic flow, its loss added to those of the motion; not with these
+                             slips at once (with hertz, not with jkr); one of them
+  coulomb_with_peeling       coulomb, and a moment that resists rolling; of a sphere on a wall, with line_force
+  thornton_ning              plastic flow, its loss added to those of the motion; with hertz, without friction
+  thornton_ning_contact      the same within the motion; alone or with jkr, without greenwood and the like
   end_at_zero_force, end_at_zero_overlap
                              where a contact without adhesion ends; at zero force if none is named
+
+  linear, maugis_barquins, mindlin, coulomb_with_peeling and thornton_ning_contact go with the automatic stepper only.
 
 OUTPUT
   All columns of the input, then these. A column of the input that has one of these names is called input_... there.

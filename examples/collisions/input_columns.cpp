@@ -18,7 +18,7 @@ struct input_column {
   const char* needed_by;
 };
 
-constexpr std::array<input_column, 27> columns{{
+constexpr std::array<input_column, 33> columns{{
     {"model", "", "every collision: law names joined by +, in any order"},
     {"radius_1", "m", "every collision"},
     {"radius_2", "m", "every collision; inf is a flat wall"},
@@ -32,6 +32,7 @@ constexpr std::array<input_column, 27> columns{{
     {"angle", "degrees", "oblique impacts: between velocity and normal, 0 to less than 90; needs friction"},
     {"spin_1", "rad/s", "spinning bodies: > 0 where it would roll forward along the other; needs friction"},
     {"spin_2", "rad/s", "likewise; not of a wall"},
+    {"stiffness", "N/m", "linear"},
     {"work_of_adhesion", "J/m^2", "jkr, dmt: of the pair, twice the surface free energy for like bodies"},
     {"line_force", "N/m", "line_force: ring force per length of the contact's edge"},
     {"rebound_coefficient", "s/m", "line_force: how much stronger it is on the rebound; or zeta_a; 0 without both"},
@@ -39,13 +40,18 @@ constexpr std::array<input_column, 27> columns{{
     {"relaxation_time", "s", "greenwood, greenwood_fit"},
     {"modulus_ratio", "1", "greenwood: relaxed over instantaneous, 0.0001 to 0.98 (greenwood_fit: 0.02 or blank)"},
     {"interaction_range", "m", "greenwood, greenwood_fit"},
+    {"reference_speed", "m/s", "maugis_barquins: of the edge where it opens at twice the work of adhesion"},
+    {"exponent", "1", "maugis_barquins: of the edge's speed, 0.1 to 1"},
     {"bulk_time", "s", "kuwabara_kono"},
     {"hunt_crossley_coefficient", "s/m", "hunt_crossley; or zeta_h"},
     {"zeta_h", "1", "hunt_crossley: Brach and Dunn's damping ratio, likewise"},
     {"tsuji_coefficient", "1", "tsuji"},
-    {"friction", "1", "coulomb, mindlin: coefficient of friction"},
+    {"dashpot_coefficient", "N s/m", "linear_dashpot; or zeta"},
+    {"zeta", "1", "linear_dashpot: damping ratio with the row's stiffness, 1 is critical"},
+    {"friction", "1", "coulomb, coulomb_with_peeling, mindlin: coefficient of friction"},
+    {"peeling_moment", "N m", "coulomb_with_peeling: at zero it is coulomb"},
     {"stiffness_ratio", "1", "mindlin: along the surface over along the normal; that of the solids if blank"},
-    {"yield_strength", "Pa", "thornton_ning: of the weaker body"},
+    {"yield_strength", "Pa", "thornton_ning, thornton_ning_contact: of the weaker body"},
 }};
 
 /// How many letters are to be put in, left out or changed, whatever their case.

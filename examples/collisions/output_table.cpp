@@ -45,7 +45,7 @@ struct output_column {
   std::string (*text)(const outcome&);
 };
 
-constexpr std::array<output_column, 27> columns{{
+constexpr std::array<output_column, 28> columns{{
     {"ending", "text", "separated | captured | unresolved | failed",
      [](const outcome& out) -> std::string { return ricochet::name_of(out.ending); }},
     {"restitution", "1", "speed of separation over that of approach, along the normal; 0 when captured", restitution},
@@ -60,7 +60,7 @@ constexpr std::array<output_column, 27> columns{{
     {"crack_loss", "1", "lost at the contact's edge, fraction of the initial kinetic energy, jumps included",
      [](const outcome& out) { return text(out.crack_loss); }},
     {"bulk_loss", "1", "lost in the bulk, likewise", [](const outcome& out) { return text(out.bulk_loss); }},
-    {"plastic_loss", "1", "taken by plastic flow, likewise; blank without thornton_ning",
+    {"plastic_loss", "1", "taken by plastic flow, likewise; blank without a plasticity law",
      [](const outcome& out) { return text(out.plastic_loss); }},
     {"ledger_residual", "1", "what the energy balance leaves unexplained, over the largest energy met",
      [](const outcome& out) { return text(out.ledger_residual); }},
@@ -83,6 +83,8 @@ constexpr std::array<output_column, 27> columns{{
      friction<&friction_outcome::impulse_ratio>},
     {"friction_loss", "1", "taken by friction, fraction of the initial kinetic energy along the normal",
      friction<&friction_outcome::friction_loss>},
+    {"peeling_loss", "1", "taken by the peeling moment, likewise; blank without coulomb_with_peeling",
+     friction<&friction_outcome::peeling_loss>},
     {"rolls", "1 or 0", "1 if the contact point slides no longer; mindlin: if it sticks somewhere",
      friction<&friction_outcome::rolls>},
     {"rotation_1", "rad", "angle that the first body turned during contact", friction<&friction_outcome::rotation_1>},

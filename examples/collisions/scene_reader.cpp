@@ -1,6 +1,7 @@
 #include "scene_reader.hpp"
 
 #include <ricochet/closed_form/brach_dunn.hpp>
+#include <ricochet/closed_form/linear.hpp>
 #include <ricochet/model/composable.hpp>
 
 #include <fmt/format.h>
@@ -18,20 +19,25 @@ constexpr const char* everyone = "every collision"; ///< who needs a column that
 
 /// Column of a parameter of the law so named; empty for one that keeps its default.
 std::string column_of(std::string_view law, std::string_view parameter) {
+  if (law == "linear_dashpot")
+    return "dashpot_coefficient";
   if (parameter == "damping_coefficient")
     return std::string(law) + "_coefficient";
   if (parameter == "force_per_length")
     return "line_force";
   if (parameter == "friction_coefficient")
     return "friction";
-  if (parameter == "first_ratio_over_k")
+  if (parameter == "first_ratio_over_k" || parameter == "ratio_at_touch")
     return "";
   return std::string(parameter);
 }
 
 /// Column of the damping ratio that may stand in this column's stead; empty where there is none.
 std::string ratio_column_of(const std::string& column) {
-  return column == "hunt_crossley_coefficient" ? "zeta_h" : column == "rebound_coefficient" ? "zeta_a" : "";
+  return column == "hunt_crossley_coefficient" ? "zeta_h"
+         : column == "rebound_coefficient"     ? "zeta_a"
+         : column == "dashpot_coefficient"     ? "zeta"
+                                               : "";
 }
 
 template <class Law>
@@ -40,14 +46,19 @@ bool may_be_blank(const std::string& column) {
          (std::is_same_v<Law, ricochet::greenwood_fit> && column == "modulus_ratio");
 }
 
-/// The coefficient that the row's damping ratio stands for at its speed along the normal.
-ricochet::inverse_speed read_ratio(const row& row, const std::string& column, const std::string& ratio_column,
-                                   const scene& scene, std::string_view name) {
+/// The coefficient that the row's damping ratio stands for: of a dashpot beside its spring, which has been read, of
+/// others at the row's speed along the normal.
+template <class Coefficient>
+Coefficient read_ratio(const row& row, const std::string& column, const std::string& ratio_column, const scene& scene,
+                       std::string_view name) {
   if (!row.is_blank(column))
     throw row_error(row.place(ratio_column),
                     fmt::format("{} is given too, and says the same: keep one of the two", column));
   const auto ratio = row.quantity<double>(ratio_column, ricochet::non_negative, name);
-  return ricochet::closed_form::damping_coefficient_of_brach_dunn(ratio, scene.pair, scene.normal_speed());
+  if constexpr (std::is_same_v<Coefficient, ricochet::damping>)
+    return ricochet::closed_form::damping_coefficient_of(ratio, scene.pair, std::get<ricochet::linear>(scene.elastic));
+  else
+    return ricochet::closed_form::damping_coefficient_of_brach_dunn(ratio, scene.pair, scene.normal_speed());
 }
 
 ricochet::material read_material(const row& row, const std::string& body, bool with_density);
@@ -61,9 +72,9 @@ Law read_law(const row& row, const scene& scene, std::string_view name) {
     const std::string column = column_of(name, parameter.name), ratio = ratio_column_of(column);
     auto& value = law.*(parameter.member);
     using quantity = std::remove_reference_t<decltype(value)>;
-    if constexpr (std::is_same_v<quantity, ricochet::inverse_speed>) {
+    if constexpr (std::is_same_v<quantity, ricochet::inverse_speed> || std::is_same_v<quantity, ricochet::damping>) {
       if (!ratio.empty() && !row.is_blank(ratio)) {
-        value = read_ratio(row, column, ratio, scene, name);
+        value = read_ratio<quantity>(row, column, ratio, scene, name);
         return;
       }
     }
@@ -96,19 +107,24 @@ constexpr known_law law_in(std::string_view name) {
           [](scene& scene, const row& row, std::string_view self) { scene.*Role = read_law<Law>(row, scene, self); }};
 }
 
-constexpr std::array<known_law, 14> laws{{
+constexpr std::array<known_law, 19> laws{{
     law_in<ricochet::hertz, &scene::elastic>("hertz"),
+    law_in<ricochet::linear, &scene::elastic>("linear"),
     law_in<ricochet::jkr, &scene::adhesion>("jkr"),
     law_in<ricochet::line_force, &scene::adhesion>("line_force"),
     law_in<ricochet::dmt, &scene::adhesion>("dmt"),
     law_in<ricochet::greenwood, &scene::crack>("greenwood"),
     law_in<ricochet::greenwood_fit, &scene::crack>("greenwood_fit"),
+    law_in<ricochet::maugis_barquins, &scene::crack>("maugis_barquins"),
     law_in<ricochet::kuwabara_kono, &scene::damping>("kuwabara_kono"),
     law_in<ricochet::hunt_crossley, &scene::damping>("hunt_crossley"),
     law_in<ricochet::tsuji, &scene::damping>("tsuji"),
+    law_in<ricochet::linear_dashpot, &scene::damping>("linear_dashpot"),
     law_in<ricochet::coulomb, &scene::tangential>("coulomb"),
+    law_in<ricochet::coulomb_with_peeling, &scene::tangential>("coulomb_with_peeling"),
     law_in<ricochet::mindlin, &scene::tangential>("mindlin"),
     law_in<ricochet::thornton_ning, &scene::plasticity>("thornton_ning"),
+    law_in<ricochet::thornton_ning_contact, &scene::plasticity>("thornton_ning_contact"),
     {"end_at_zero_force", ricochet::count_roles<ricochet::end_at_zero_force>(),
      [](scene&, const row&, std::string_view) {}}, // is the default
     law_in<ricochet::end_at_zero_overlap, &scene::end>("end_at_zero_overlap"),
@@ -146,9 +162,24 @@ void add(ricochet::role_count& sum, const ricochet::role_count& n) {
   sum.stick_slip += n.stick_slip;
   sum.peeling += n.peeling;
   sum.rebounding += n.rebounding;
+  sum.edgeless += n.edgeless;
 }
 
-/// The laws named, which go together.
+/// Empty if this program solves the model, which the library composes, else the sentence of refusal.
+std::string_view beyond_program(const std::vector<known_law>& model, const ricochet::role_count& roles) {
+  const auto has = [&](std::string_view name) {
+    return std::any_of(model.begin(), model.end(), [&](const known_law& law) { return law.name == name; });
+  };
+  if (has("linear") && roles.adhesion != 0)
+    return "linear goes without adhesion here: take hertz, or the library in C++";
+  if (has("linear") && roles.damping != 0 && !has("linear_dashpot"))
+    return "linear goes without damping or with linear_dashpot here: take one of them, or the library in C++";
+  if (has("linear_dashpot") && !has("linear"))
+    return "linear_dashpot goes with linear here: take linear, or the library in C++";
+  return "";
+}
+
+/// The laws named, which go together; the elastic one first.
 std::vector<known_law> read_model(const row& row) {
   std::vector<known_law> model;
   ricochet::role_count roles;
@@ -158,6 +189,9 @@ std::vector<known_law> read_model(const row& row) {
   }
   if (const std::string_view why = ricochet::refusal(roles); !why.empty())
     throw row_error(row.place("model"), std::string(why));
+  if (const std::string_view why = beyond_program(model, roles); !why.empty())
+    throw row_error(row.place("model"), std::string(why));
+  std::stable_partition(model.begin(), model.end(), [](const known_law& law) { return law.roles.elastic != 0; });
   return model;
 }
 

@@ -13,8 +13,7 @@ namespace collisions {
 
 using normal_outcome =
     ricochet::basic_outcome<double, ricochet::length, ricochet::duration, ricochet::force, ricochet::speed,
-                            ricochet::requests{.ledger = true, .duration = true, .extremes = true, .warnings = true},
-                            true, false, false, ricochet::angular_speed>;
+                            ricochet::requests{.ledger = true, .duration = true, .extremes = true, .warnings = true}>;
 
 /// What friction did to the bodies: the members of ricochet::oblique_outcome, of any model.
 struct friction_outcome {
@@ -23,6 +22,7 @@ struct friction_outcome {
   std::optional<double> tangential_restitution, rebound_angle; ///< rad
   bool rolls;
   double impulse_ratio, friction_loss, rotation_1, rotation_2, normal_turn;
+  std::optional<double> peeling_loss; ///< of a contact that resists rolling
 };
 
 /// Of the motion along the normal, and of friction and plastic flow where the scene has a law for them.
@@ -31,7 +31,7 @@ struct outcome : normal_outcome {
   std::optional<double> plastic_loss;
 };
 
-// One for each stepper, each compiled in a file of its own: stepper_*.cpp.
+// One for each stepper, compiled in stepper_*.cpp.
 // \throws ricochet::bad_input where the library refuses the scene.
 outcome solve_automatic(const scene& scene, double tolerance);
 outcome solve_dopri5(const scene& scene, double tolerance);

@@ -3,9 +3,14 @@
 
 namespace collisions {
 
+namespace {
+struct laws : usual_laws {
+  using damping = std::variant<ricochet::hunt_crossley, ricochet::tsuji>;
+};
+} // namespace
+
 outcome solve_automatic_more(const scene& scene, double tolerance) {
-  return solve_with<ricochet::stepper::automatic, ricochet::coulomb>(
-      scene, tolerance, damped_by<ricochet::hunt_crossley, ricochet::tsuji>{});
+  return solve_with<ricochet::stepper::automatic, laws>(scene, tolerance);
 }
 
 } // namespace collisions

@@ -3,8 +3,14 @@
 
 namespace collisions {
 
+namespace {
+struct laws : usual_laws {
+  using tangential = ricochet::mindlin;
+};
+} // namespace
+
 outcome solve_automatic_stick_slip(const scene& scene, double tolerance) {
-  return solve_with<ricochet::stepper::automatic, ricochet::mindlin>(scene, tolerance, all_damping{});
+  return solve_with<ricochet::stepper::automatic, laws>(scene, tolerance);
 }
 
 } // namespace collisions

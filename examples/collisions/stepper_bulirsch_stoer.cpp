@@ -3,5 +3,5 @@
 #include <ricochet/solve/steppers.hpp>
 
 collisions::outcome collisions::solve_bulirsch_stoer(const scene& scene, double tolerance) {
-  return solve_with<ricochet::stepper::bulirsch_stoer, ricochet::coulomb>(scene, tolerance, all_damping{});
+  return solve_usual<ricochet::stepper::bulirsch_stoer>(scene, tolerance);
 }

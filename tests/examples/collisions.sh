@@ -121,7 +121,7 @@ grains() {
 spheres() { grains "$1" 5e 4e-6 "${@:2}"; }
 on_wall() { grains "$1" 5e inf "${@:2}"; }
 oblique() { solve < <(echo "$names_of_friction"; for row; do echo "$row"; done); }
-frictions=tangential_speed,spin_1_after,spin_2_after,tangential_restitution,rebound_angle,impulse_ratio,friction_loss,rolls,rotation_1,rotation_2,normal_turn
+frictions=tangential_speed,spin_1_after,spin_2_after,tangential_restitution,rebound_angle,impulse_ratio,friction_loss,peeling_loss,rolls,rotation_1,rotation_2,normal_turn
 # friction_cells_are_blank ROW
 friction_cells_are_blank() {
   local each
@@ -214,6 +214,48 @@ check "mindlin with another stepper" all 'status_is 1' 'row_is 1 failed' 'says "
 solve < <(echo model,radius_1,radius_2,density_1,youngs_modulus_1,youngs_modulus_2,poissons_ratio_1,poissons_ratio_2,friction,speed
   echo hertz+coulomb,1e-3,inf,1000,7e9,7e9,0.25,0.25,0.1,1e-3)
 check "columns of angle and spins may be missing" all 'status_is 0' 'row_is 1 separated' 'cell_is 1 spin_1_after 0'
+
+# --- a contact that resists rolling -----------------------------------------------------------------------------------
+# peeling MODEL MOMENT [NAME=VALUE]...: a spinning sphere on a wall
+peeling() { echo "$(on_wall "$1" spin_1=1e5 angle=20 "${@:3}"),$2"; }
+peels() { solve --tolerance 1e-9 "${options[@]}" < <(echo "$names_of_friction,peeling_moment"; for row; do echo "$row"; done); }
+options=()
+models=""
+for damping in "" +kuwabara_kono +hunt_crossley +tsuji; do
+  models="$models hertz+line_force$damping+coulomb_with_peeling"
+done
+peels $(for model in $models; do peeling $model 1e-8; done)
+check "peeling: exit status 0, silence but for warnings" all 'status_is 0' only_warned
+for row in 1 2 3 4; do
+  # friction and moment take what the sphere loses of its motion along the surface and of its spin, 2/5 m r^2
+  taken=$(awk -v spin="$(cell $row spin_1_after)" -v vt="$(cell $row tangential_speed)" 'BEGIN {
+    r = 5e-6; v = 3; turn = 20 * atan2(0, -1) / 180; n = v * cos(turn); t = v * sin(turn)
+    printf "%.17g", (t * t - vt * vt + 0.4 * r * r * (1e10 - spin * spin)) / (n * n) }')
+  check "model $(cell $row model): both losses are what the motion along the surface lost" all \
+    'holds "$(cell $row peeling_loss) > 1e-6"' 'cell_is $row ending_is_certain 1' \
+    'near "$(awk -v f="$(cell $row friction_loss)" -v p="$(cell $row peeling_loss)" "BEGIN { printf \"%.17g\", f + p }")" $taken 1e-8'
+done
+peels "$(peeling hertz+line_force+coulomb_with_peeling 0)" "$(peeling hertz+line_force+coulomb "")"
+check "a moment of zero is coulomb; without the law its loss is blank" all 'status_is 0' 'cell_is 1 peeling_loss 0' \
+  'near "$(cell 1 spin_1_after)" "$(cell 2 spin_1_after)" 1e-3' 'near "$(cell 1 tangential_speed)" "$(cell 2 tangential_speed)" 1e-8' \
+  'cell_is 2 peeling_loss ""' '[ -n "$(cell 2 friction_loss)" ]'
+peels "$(brach_dunn | sed s/coulomb/coulomb_with_peeling/),1e-7" # the numbers are those of a program in C++
+check "Brach and Dunn's table 1 with a moment" all 'status_is 0' 'near "$(cell 1 restitution)" 0.746005094 1e-9' \
+  'near "$(cell 1 rebound_angle)" 4.3598344017 1e-7' 'near "$(cell 1 spin_1_after)" 31465.2411499 1e-3' \
+  'near "$(cell 1 friction_loss)" 0.0170452990729 1e-9' 'near "$(cell 1 peeling_loss)" 0.00610794932767 1e-9'
+options=(--stepper dopri5)
+peels "$(peeling hertz+line_force+coulomb_with_peeling 1e-8)"
+check "peeling with another stepper" all 'status_is 1' 'says "line 2: coulomb_with_peeling goes with the automatic stepper only"'
+options=()
+peels "$(spheres hertz+line_force+coulomb_with_peeling),1e-8" "$(on_wall hertz+coulomb_with_peeling),1e-8" \
+  "$(on_wall hertz+dmt+coulomb_with_peeling),1e-8" "$(peeling hertz+line_force+coulomb_with_peeling "")" \
+  "$(peeling hertz+line_force+coulomb_with_peeling -1)" "$(peeling hertz+line_force+coulomb_with_peeling 0 friction=)"
+check "peeling, wrong input" all 'status_is 1' 'says "line 2: radius of the second body = 4e-06 m is not that of a flat wall"' \
+  'says "line 3, column model, value \"hertz+coulomb_with_peeling\": a peeling moment needs an adhesion law with a rebound"' \
+  'says "line 4, column model, value \"hertz+dmt+coulomb_with_peeling\": a peeling moment needs"' \
+  'says "line 5, column peeling_moment, value \"\": blank, but needed by coulomb_with_peeling"' \
+  'says "line 6, column peeling_moment, value \"-1\": peeling_moment = -1 J is outside [0, inf) J"' \
+  'says "line 7, column friction, value \"\": blank, but needed by coulomb_with_peeling"' 'row_is 1 failed' 'row_is 6 failed'
 
 # bad_oblique NAME MESSAGE ROW: the row fails with one message that begins so, and the good row after it does not fail
 bad_oblique() {
@@ -363,6 +405,114 @@ solve < <(echo "$names,yield_strength"; echo "$(ice hertz+thornton_ning),"; echo
 check "it needs its strength" all 'status_is 1' 'says "line 2, column yield_strength, value \"\": blank, but needed by thornton_ning"' \
   'says "line 3, column yield_strength, value \"0\": yield_strength = 0 Pa is outside (0, inf) Pa"'
 
+# --- plastic flow within the motion -----------------------------------------------------------------------------------
+models="hertz+thornton_ning_contact+end_at_zero_overlap"
+for damping in "" +kuwabara_kono +hunt_crossley +tsuji; do
+  models="$models hertz$damping+thornton_ning_contact hertz+jkr$damping+thornton_ning_contact"
+done
+plastic $models
+check "flow within the motion: exit status 0, silence" all 'status_is 0' '[ ! -s "$work/err" ]'
+row=0
+for model in $models; do
+  row=$((row + 1))
+  check "model $model" all "row_is $row separated" "near \"\$(cell $row ledger_residual)\" 0 3e-8" \
+    "holds \"\$(cell $row plastic_loss) > 0.1\"" "near \"\$(cell $row error_estimate)\" 0 1e-9"
+done
+check "alone it is the closed form" all 'near "$(cell 2 restitution)" 0.89636238282511 1e-9' 'near "$(cell 2 plastic_loss)" $loss 1e-9'
+# the numbers are those of a program in C++, by dopri5
+check "with jkr and kuwabara_kono" all 'cell_is 5 model hertz+jkr+kuwabara_kono+thornton_ning_contact' \
+  'near "$(cell 5 restitution)" 0.7366394193048 1e-9' 'near "$(cell 5 plastic_loss)" 0.2399770965298 1e-8'
+solve --stepper bulirsch_stoer < <(echo "$names,yield_strength"; echo "$(ice hertz+thornton_ning_contact),2e8")
+check "flow with another stepper" all 'status_is 1' 'says "line 2: thornton_ning_contact goes with the automatic stepper only"'
+solve < <(echo "$names,friction,yield_strength"; echo "$(ice hertz+coulomb+thornton_ning_contact),0.1,2e8"
+  echo "$(ice hertz+jkr+greenwood+thornton_ning_contact),,2e8"; echo "$(ice hertz+dmt+thornton_ning_contact),,2e8"
+  echo "$(ice hertz+thornton_ning+thornton_ning_contact),,2e8"; echo "$(ice hertz+thornton_ning_contact),,"
+  echo "$(ice hertz+jkr+thornton_ning_contact),,2e6")
+check "flow, wrong input" all 'status_is 1' 'says "line 2, column model, value \"hertz+coulomb+thornton_ning_contact\": plastic flow is added"' \
+  'says "line 3, column model, value \"hertz+jkr+greenwood+thornton_ning_contact\": plastic flow within the motion goes with a static"' \
+  'says "line 4, column model, value \"hertz+dmt+thornton_ning_contact\": plastic flow within the motion goes with an"' \
+  'says "line 5, column model, value \"hertz+thornton_ning+thornton_ning_contact\": two plasticity laws were given"' \
+  'says "line 6, column yield_strength, value \"\": blank, but needed by thornton_ning_contact"' \
+  'says "line 7: yield_strength = 2000000 Pa is below"' 'row_is 1 failed' 'row_is 6 failed'
+
+# --- linear springs ---------------------------------------------------------------------------------------------------
+# linear MODEL...: rows of springs of 500 N/m with a dashpot of zeta = 0.3, given as such
+linear() { solve --tolerance 1e-9 "${options[@]}" < <(echo "$names,stiffness,dashpot_coefficient,zeta"; for model; do echo "$(ice $model),500,,0.3"; done); }
+linear linear linear+end_at_zero_overlap linear+linear_dashpot linear_dashpot+end_at_zero_overlap+linear
+check "linear springs: exit status 0, silence" all 'status_is 0' '[ ! -s "$work/err" ]'
+mass=$(awk 'BEGIN { printf "%.17g", 2. / 3 * atan2(0, -1) * 8e-15 }') # of the pair: half that of one sphere
+spring() { awk -v z=0.3 -v m=$mass -v k=500 "BEGIN { pi = atan2(0, -1); s = sqrt(1 - z * z); w = sqrt(k / m); printf \"%.17g\", $1 }"; }
+# near_part A B: relatively
+near_part() { awk -v x="$1" -v y="$2" 'BEGIN { exit !(x != "" && (x / y - 1)^2 <= 1e-16) }'; }
+for row in 1 2; do
+  check "a spring in closed form, $(cell $row model)" all 'near "$(cell $row restitution)" 1 1e-9' \
+    'near_part "$(cell $row contact_duration)" "$(spring "pi / w")"' 'near_part "$(cell $row max_approach)" "$(spring "8 / w")"' \
+    'near_part "$(cell $row max_compression)" "$(spring "8 * k / w")"' 'cell_is $row bulk_loss 0'
+done
+check "spring and dashpot to zero force: exp(-2 zeta acos(zeta)/s)" all \
+  'near "$(cell 3 restitution)" "$(spring "exp(-2 * z * atan2(s, z) / s)")" 1e-9' \
+  'near_part "$(cell 3 contact_duration)" "$(spring "2 * atan2(s, z) / (s * w)")"' 'near "$(cell 3 ledger_residual)" 0 1e-8'
+check "spring and dashpot to zero overlap: exp(-pi zeta/s)" all \
+  'near "$(cell 4 restitution)" "$(spring "exp(-pi * z / s)")" 1e-9' 'near_part "$(cell 4 contact_duration)" "$(spring "pi / (s * w)")"'
+solve < <(echo "$names,stiffness,dashpot_coefficient"; echo "$(ice linear+linear_dashpot),500,$(spring "2 * z * sqrt(m * k)")"
+  echo "$(ice linear+linear_dashpot 1),500,$(spring "2 * z * sqrt(m * k)")")
+check "the same by the dashpot's coefficient, at any speed" all 'status_is 0' \
+  'near "$(cell 1 restitution)" "$(spring "exp(-2 * z * atan2(s, z) / s)")" 1e-7' 'near "$(cell 1 restitution)" "$(cell 2 restitution)" 1e-7'
+solve < <(echo "$names,stiffness,dashpot_coefficient,zeta,friction,angle"; echo "$(ice linear+coulomb),500,,,0.05,60")
+check "springs slide: e_t = 1 - 2f/tan(angle)" near "$(cell 1 tangential_restitution)" 0.94226497308 1e-8
+options=(--stepper dopri5)
+linear linear
+check "linear with another stepper" all 'status_is 1' 'says "line 2: linear goes with the automatic stepper only"'
+options=()
+linear linear+jkr linear+dmt linear+tsuji hertz+linear_dashpot linear+mindlin linear+thornton_ning hertz+linear
+check "linear, models that are refused" all 'status_is 1' '[ "$(wc -l <"$work/err")" = 7 ]' \
+  'says "line 2, column model, value \"linear+jkr\": an adhesion law with a surface energy needs an elastic law with an edge"' \
+  'says "line 3, column model, value \"linear+dmt\": linear goes without adhesion here"' \
+  'says "line 4, column model, value \"linear+tsuji\": linear goes without damping or with linear_dashpot here"' \
+  'says "line 5, column model, value \"hertz+linear_dashpot\": linear_dashpot goes with linear here"' \
+  'says "line 6, column model, value \"linear+mindlin\": stick and slip is that of a Hertzian contact"' \
+  'says "line 7, column model, value \"linear+thornton_ning\": plastic flow is added to Hertzian contacts only"' \
+  'says "line 8, column model, value \"hertz+linear\": two elastic laws were given"'
+solve < <(echo "$names,stiffness,dashpot_coefficient,zeta"; echo "$(ice linear),,,"; echo "$(ice linear),0,,"
+  echo "$(ice linear+linear_dashpot),50,,"; echo "$(ice linear+linear_dashpot),50,1e-9,0.3"
+  echo "$(ice linear+linear_dashpot),50,-1,"; echo "$(ice linear_dashpot+linear),50,,-1"; echo "$(ice linear_dashpot+linear),,,1")
+check "linear, wrong numbers" all 'status_is 1' '[ "$(wc -l <"$work/err")" = 7 ]' \
+  'says "line 2, column stiffness, value \"\": blank, but needed by linear"' \
+  'says "line 3, column stiffness, value \"0\": stiffness = 0 J/m^2 is outside (0, inf) J/m^2"' \
+  'says "line 4, column dashpot_coefficient, value \"\": blank, but needed by linear_dashpot, unless there is zeta"' \
+  'says "line 5, column zeta, value \"0.3\": dashpot_coefficient is given too, and says the same: keep one of the two"' \
+  'says "line 6, column dashpot_coefficient, value \"-1\": dashpot_coefficient = -1 N s/m is outside [0, inf) N s/m"' \
+  'says "line 7, column zeta, value \"-1\": zeta = -1 is outside [0, inf)"' \
+  'says "line 8, column stiffness, value \"\": blank, but needed by linear"'
+
+# --- the power law of the edge ----------------------------------------------------------------------------------------
+# power_law SPEED EXPONENT MODEL...
+power_law() { solve --tolerance 1e-9 "${options[@]}" < <(echo "$names,reference_speed,exponent"; for model in "${@:3}"; do echo "$(ice $model),$1,$2"; done); }
+models=""
+for damping in "" +kuwabara_kono +hunt_crossley +tsuji; do
+  models="$models hertz+jkr+maugis_barquins$damping"
+done
+power_law 100 0.5 $models
+check "the power law: exit status 0, silence" all 'status_is 0' '[ ! -s "$work/err" ]'
+for row in 1 2 3 4; do
+  check "model $(cell $row model)" all 'row_is $row separated' 'near "$(cell $row ledger_residual)" 0 3e-8' \
+    'near "$(cell $row error_estimate)" 0 1e-9' 'holds "$(cell $row crack_loss) > 0"'
+done
+check "with kuwabara_kono, as a program in C++ has it" near "$(cell 2 restitution)" 0.7568678916463 1e-9
+power_law 1e6 1 hertz+jkr+maugis_barquins hertz+jkr
+check "a fast edge is a static one" near "$(cell 1 restitution)" "$(cell 2 restitution)" 1e-3
+options=(--stepper dopri5)
+power_law 1 0.5 hertz+jkr+maugis_barquins
+check "the power law with another stepper" all 'status_is 1' 'says "line 2: maugis_barquins goes with the automatic stepper only"'
+options=()
+power_law 1 0.05 hertz+jkr+maugis_barquins hertz+maugis_barquins hertz+jkr+greenwood+maugis_barquins
+check "the power law, wrong input" all 'status_is 1' \
+  'says "line 2, column exponent, value \"0.05\": exponent = 0.05 is outside [0.1, 1]"' \
+  'says "line 3, column model, value \"hertz+maugis_barquins\": a crack-velocity law needs an adhesion law"' \
+  'says "line 4, column model, value \"hertz+jkr+greenwood+maugis_barquins\": two crack-velocity laws were given"'
+power_law "" 0.5 hertz+jkr+maugis_barquins
+check "the power law without its speed" says 'line 2, column reference_speed, value "": blank, but needed by maugis_barquins'
+
 bad "missing needed value" ', column work_of_adhesion, value "": blank, but needed by jkr' "$(with work_of_adhesion "")"
 bad "a cell of spaces is missing" ', column speed, value "  ": blank, but needed by every collision' "$(with speed "  ")"
 bad "a second sphere needs its density" ', column density_2, value "": blank' "$(with density_2 "")"
@@ -385,7 +535,7 @@ bad "quantities impossible together" ': reduced_mass = ' "hertz,1e200,1e200${bod
 bad "too few cells" ': the row has 3 cells, the header 17' "hertz,1,1"
 bad "too many cells" ': the row has 19 cells, the header 17' "$(ice hertz),1,2"
 bad "misplaced quote" ': misplaced quote' "her\"tz,1,1"
-bad "unknown law" ', column model, value "hertz+hurtz": unknown law "hurtz"; there are hertz, jkr,' "$(ice hertz+hurtz)"
+bad "unknown law" ', column model, value "hertz+hurtz": unknown law "hurtz"; there are hertz, linear, jkr,' "$(ice hertz+hurtz)"
 bad "a + too many" ", column model, value \"hertz+\": a law's name is missing" "$(ice hertz+)"
 bad "no model" ', column model, value "": blank' "$(ice "")"
 bad "no elastic law" ', column model, value "jkr": a contact model needs an elastic law' "$(ice jkr)"
@@ -443,7 +593,7 @@ fi
 # --- options ----------------------------------------------------------------------------------------------------------
 solve --help
 check "--help names every column, law and stepper" all 'status_is 0' \
-  'for name in ${names//,/ } ${names_of_friction//,/ } ${frictions//,/ } max_compression ending_is_certain hertz jkr greenwood_fit line_force dmt coulomb thornton_ning yield_strength plastic_loss end_at_zero_overlap dopri5 bulirsch_stoer ledger_residual --tolerance -o; do output_has "$name" || return 1; done'
+  'for name in ${names//,/ } ${names_of_friction//,/ } ${frictions//,/ } max_compression ending_is_certain hertz jkr greenwood_fit line_force dmt coulomb thornton_ning yield_strength linear linear_dashpot stiffness dashpot_coefficient zeta maugis_barquins reference_speed exponent thornton_ning_contact coulomb_with_peeling peeling_moment plastic_loss end_at_zero_overlap dopri5 bulirsch_stoer ledger_residual --tolerance -o; do output_has "$name" || return 1; done'
 sed -n '/^    model,/,/^$/ s/^    //p' "$work/out" >"$work/ice.csv"
 solve "$work/ice.csv"
 check "the example of --help" all 'status_is 0' 'row_is 1 separated' 'row_is 2 separated'
