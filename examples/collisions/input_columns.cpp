@@ -70,14 +70,14 @@ std::size_t edit_distance(const std::string& a, std::string_view b) {
 
 /// The input column that a column of the header is likely to be meant for, rather one that is missing.
 std::optional<std::string> meant_by(const std::string& name, const header& header) {
-  constexpr std::size_t farthest = 2;
+  constexpr std::size_t farthest = 2, letters_for_each = 3; // of a short name hardly any may differ
   std::optional<std::string> meant;
   auto least = std::pair(farthest + 1, false);
   for (const input_column& column : columns) {
     if (name == column.name)
       return {};
     const auto how_far = std::pair(edit_distance(name, column.name), header.has(column.name));
-    if (how_far < least) {
+    if (how_far < least && letters_for_each * how_far.first <= std::string_view(column.name).size()) {
       least = how_far;
       meant = column.name;
     }

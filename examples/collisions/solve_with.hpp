@@ -1,7 +1,7 @@
 // The composition of a scene's laws: walks the roles once and composes what is there. Coulomb's friction is in nearly
 // every model, with a coefficient of zero where the scene has none: it then changes nothing, and only half the models
-// are to be compiled; likewise the dashpot with linear springs. The other laws in models of their own are compiled for
-// one stepper only. The loss of thornton_ning is added to the outcome, so that it needs no model of its own.
+// are to be compiled. Models with laws beyond the usual ones are compiled for one stepper only. The loss of
+// thornton_ning is added to the outcome, so that it needs no model of its own.
 #pragma once
 #include "solve.hpp"
 

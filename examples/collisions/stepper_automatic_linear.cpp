@@ -8,14 +8,12 @@ struct laws : usual_laws {
   using elastic = std::variant<ricochet::linear>;
   using adhesion = std::variant<no_law>;
   using crack = std::variant<no_law>;
-  using damping = std::variant<ricochet::linear_dashpot>;
+  using damping = std::variant<no_law, ricochet::linear_dashpot>;
 };
 } // namespace
 
 outcome solve_automatic_linear(const scene& scene, double tolerance) {
-  auto damped = scene;
-  damped.damping = or_idle<ricochet::linear_dashpot>(scene.damping);
-  return solve_with<ricochet::stepper::automatic, laws>(damped, tolerance);
+  return solve_with<ricochet::stepper::automatic, laws>(scene, tolerance);
 }
 
 } // namespace collisions
