@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_run_in_lanes_is_the_same_as_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(progress_is_told_until_all_is_done) {
-  const auto batch = random_batch([](const auto& s) { return viscous_hertz(s); }, 1000);
+  const auto batch = random_batch([](const auto& s) { return viscous_jkr(s); }, 1000);
   std::vector<std::size_t> told;
   collide(batch, {.threads = 2, .progress = [&](std::size_t done, std::size_t of) {
                     BOOST_TEST(of == 1000U);
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(progress_is_told_until_all_is_done) {
 }
 
 BOOST_AUTO_TEST_CASE(what_progress_throws_ends_the_batch) {
-  const auto batch = random_batch([](const auto& s) { return viscous_hertz(s); }, 1000);
+  const auto batch = random_batch([](const auto& s) { return viscous_jkr(s); }, 1000);
   struct enough {};
   BOOST_CHECK_THROW(collide(batch, {.threads = 2, .progress = [](std::size_t, std::size_t) { throw enough{}; }}),
                     enough);

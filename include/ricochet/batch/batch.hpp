@@ -169,8 +169,8 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
           [&](std::size_t i) { return integrate(scene_of(first + i).model, scene_of(first + i).impact, alone); },
           outcomes.data() + first);
     });
-  else
-    share(count, 16, options, [&](std::size_t first, std::size_t last) {
+  else // closed forms take no longer than handing out a part of the work
+    share(count, closed_form::solved<Model> ? 256 : 16, options, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
         outcomes[i] = ricochet::collide(scene_of(i).model, scene_of(i).impact, alone);
     });
