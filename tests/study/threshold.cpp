@@ -52,3 +52,11 @@ BOOST_AUTO_TEST_CASE(two_solutions_captured_at_different_turning_points_are_both
   const auto found = sticking_speed(model, 0.1 * metres_per_second, 100.0 * metres_per_second, 1e-6);
   BOOST_TEST(in_si(found.smallest_separated) / in_si(found.largest_captured) - 1 < 1.1e-6);
 }
+
+BOOST_AUTO_TEST_CASE(a_first_guess_that_hits_the_threshold_is_looked_at_from_both_sides) {
+  const speed exact = closed_form::sticking_speed(ice.pair, ice.adhesive.work_of_adhesion);
+  const auto found = sticking_speed(compose(ice.pair, hertz{}, ice.adhesive), 0.1 * exact, 10.0 * exact);
+  BOOST_TEST(in_si(found.largest_captured) < in_si(exact));
+  BOOST_TEST(in_si(found.smallest_separated) > in_si(exact));
+  BOOST_TEST(in_si(found.smallest_separated) / in_si(found.largest_captured) - 1 < 1e-8);
+}

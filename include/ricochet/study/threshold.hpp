@@ -71,10 +71,24 @@ sticking_threshold sticking_speed(const Model& model, speed low, speed high, dou
     }
     if (v <= a || v >= b)
       break;
-    const bool stuck = sticks(v * units::metres_per_second);
-    if (!decided)
-      break;
-    (stuck ? found.largest_captured : found.smallest_separated) = v * units::metres_per_second;
+    const auto narrow = [&](speed at) {
+      const bool stuck = sticks(at);
+      if (decided)
+        (stuck ? found.largest_captured : found.smallest_separated) = at;
+    };
+    narrow(v * units::metres_per_second);
+    if (decided)
+      continue;
+    for (const double side : {-1., 1.}) // the threshold is too near to tell: the nearest speeds on both sides that tell
+      for (double apart = relative_width / 4;; apart *= 4) {
+        const double beside = v * (1 + side * apart);
+        if (!(beside > a && beside < b))
+          break;
+        narrow(beside * units::metres_per_second);
+        if (decided)
+          break;
+      }
+    break;
   }
   return found;
 }
