@@ -171,6 +171,14 @@ BOOST_AUTO_TEST_CASE(progress_is_told_until_all_is_done) {
   BOOST_TEST(told.back() == 1000U);
 }
 
+BOOST_AUTO_TEST_CASE(a_spent_budget_is_unresolved_in_batches_too) {
+  const auto batch = random_batch([](const auto& s) { return viscous_jkr(s); }, 20);
+  for (const auto& out : collide(batch, {.max_evaluations = 50})) {
+    BOOST_TEST(name_of(out.ending) == "unresolved");
+    BOOST_TEST(out.reason == "the budget of evaluations was spent");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_progress_throws_ends_the_batch) {
   const auto batch = random_batch([](const auto& s) { return viscous_jkr(s); }, 1000);
   struct enough {};

@@ -36,6 +36,7 @@ using batch_lanes = lanes<xsimd::batch<double>, 2>;
 
 /// Step tolerance, in units of the speed, for a wanted error of the restitution: the steps' own estimate goes as the
 /// sixth power of the step, the error of a whole collision as the seventh.
+/// Its factor and that of the next function hold for all in tests/batch/batch.cpp, which prints the errors.
 inline double lane_tolerance(double wanted) { return std::min(1.4 * std::pow(wanted, 6. / 7), 1.5e-4); }
 /// Error of a collision's energy to be reckoned with, unless found larger, in units of the kinetic one, in which
 /// `largest` is the largest energy met. Contacts pulled by a force without an edge err up to ten times more than
@@ -80,7 +81,7 @@ class batch_part {
 public:
   static constexpr std::size_t size = 256;
 
-  explicit batch_part(const Model& model) : lanes_(model) {}
+  batch_part(const Model& model, long max_evaluations) : lanes_(model, max_evaluations) {}
 
   /// `scene_of(i)` gives collision i < count, `alone(i)` its outcome by other means. Those that lanes do not resolve at
   /// a step tolerance are tried at a smaller one, and then are left alone.
@@ -163,7 +164,7 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
   std::vector<outcome_of<Model>> outcomes(count);
   if constexpr (runs_in_lanes<Model> && !closed_form::solved<Model>)
     share(count, batch_part<Model>::size, options, [&](std::size_t first, std::size_t last) {
-      batch_part<Model> part(scene_of(first).model);
+      batch_part<Model> part(scene_of(first).model, options.max_evaluations);
       part.solve(
           last - first, options.tolerance, [&](std::size_t i) -> decltype(auto) { return scene_of(first + i); },
           [&](std::size_t i) { return integrate(scene_of(first + i).model, scene_of(first + i).impact, alone); },

@@ -44,14 +44,17 @@ class lane_solver {
   static constexpr bool ends_without_force =
       !pulled && Model::damped && std::same_as<typename Model::end_condition, end_at_zero_force>;
   static constexpr bool kinks_at_turning = Model::attracted; ///< where it may begin to oppose the rebound
-  static constexpr int most_steps = 1000;
 
 public:
   static constexpr int evaluations_a_step = int(stepper::tsitouras_papakostas75_table::stages);
 
-  /// Of `model` only the quantities' dimensions count, and what its type says.
-  explicit lane_solver(const Model& model)
-      : model_(model), now_{.model = reduced_type(laws_in_si<Lanes>(model))}, staged_(now_) {}
+  /// Of `model` only the quantities' dimensions count, and what its type says. Set aside is what takes more evaluations
+  /// than given, or many more than lanes are good for.
+  lane_solver(const Model& model, long max_evaluations)
+      : model_(model),
+        most_steps_(double(std::min(max_evaluations / evaluations_a_step, 1000L))), now_{.model = reduced_type(
+                                                                                             laws_in_si<Lanes>(model))},
+        staged_(now_) {}
 
   /// `task_of(i)` gives the task i < count; `finished(i, lane_solution)` is told its solution, in no certain order.
   template <class TaskOf, class Finished>
@@ -177,7 +180,7 @@ private:
     const Lanes h = where(lands, ahead, now_.h);
     stepper_.do_step(system, x, slope, Lanes(0), next, h, error);
     advance(next, error, h, lands, turns);
-    const mask aside = (now_.steps >= Lanes(most_steps)) | (now_.h <= Lanes(1e-12) * now_.longest);
+    const mask aside = (now_.steps > Lanes(most_steps_)) | (now_.h <= Lanes(1e-12) * now_.longest);
     return {let_go.bits(), captured.bits(), aside.bits()};
   }
 
@@ -227,6 +230,7 @@ private:
   static constexpr double infinite = 1e300;
 
   const Model& model_;
+  double most_steps_;
   course now_, staged_;
   stepper_type stepper_;
   Lanes end_rate_, excess_;
