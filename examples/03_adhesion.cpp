@@ -3,11 +3,15 @@
 // JKR without other losses has a closed form, so that the sticking speed can be compared with the one found by a root
 // search on the ending.
 //
+// The last lines say how far the range of adhesion matters: JKR is the limit of soft, large spheres.
+//
 // Try next: add kuwabara_kono{...} and see the sticking speed rise; ask for extremes{} and compare the largest tension
 // with the pull-off force, 1.5 pi w R.
 #include <ricochet/closed_form/jkr.hpp>
+#include <ricochet/closed_form/regime.hpp>
 #include <ricochet/collide.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
+#include <ricochet/law/adhesion/maugis_dugdale.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/study/threshold.hpp>
 
@@ -30,5 +34,14 @@ int main() {
   const auto found = sticking_speed(model, 0.1 * metres_per_second, 100.0 * metres_per_second);
   const speed exact = closed_form::sticking_speed(pair, w);
   std::printf("sticks up to %.10f m/s (closed form %.10f)\n", in_si(found.value()), in_si(exact));
+
+  // [range]
+  for (const double z0 : {0.1, 1.0, 10.0}) {
+    const maugis_dugdale adhesion{.work_of_adhesion = w, .interaction_range = z0 * nanometres};
+    const auto out = collide(compose(pair, hertz{}, adhesion), impact{.speed = 2.0 * metres_per_second});
+    std::printf("range %4g nm, Tabor number %5.2f: e = %.6f\n", z0,
+                closed_form::tabor_number(pair, w, adhesion.interaction_range), out.restitution.value_or(0));
+  }
+  // [range]
   return std::abs(found.value() / exact - 1) < 1e-9 ? 0 : 1;
 }

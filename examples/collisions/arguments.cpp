@@ -31,7 +31,8 @@ INPUT
 
 LAWS for the column model
   hertz, linear              elastic spheres, or linear springs, without adhesion; always one of them
-  jkr, line_force, dmt       adhesion; one of them
+  jkr, line_force, dmt, maugis_dugdale
+                             adhesion; one of them; maugis_dugdale without friction
   greenwood, greenwood_fit, maugis_barquins
                              finite speed of the adhesive edge, with jkr: exact, as published, or a power law; one of
                              them
@@ -46,7 +47,8 @@ LAWS for the column model
   end_at_zero_force, end_at_zero_overlap
                              where a contact without adhesion ends; at zero force if none is named
 
-  linear, maugis_barquins, mindlin, coulomb_with_peeling and thornton_ning_contact go with the automatic stepper only.
+  linear, maugis_dugdale, maugis_barquins, mindlin, coulomb_with_peeling and thornton_ning_contact go with the
+  automatic stepper only.
 
 OUTPUT
   All columns of the input, then these. A column of the input that has one of these names is called input_... there.

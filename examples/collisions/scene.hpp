@@ -4,6 +4,7 @@
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/adhesion/line_force.hpp>
+#include <ricochet/law/adhesion/maugis_dugdale.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
 #include <ricochet/law/crack/maugis_barquins.hpp>
@@ -34,7 +35,7 @@ struct scene {
   double angle = 0;        ///< between it and the normal, rad
   ricochet::angular_speed spin_1{}, spin_2{};
   std::variant<ricochet::hertz, ricochet::linear> elastic;
-  std::variant<no_law, ricochet::jkr, ricochet::line_force, ricochet::dmt> adhesion;
+  std::variant<no_law, ricochet::jkr, ricochet::line_force, ricochet::dmt, ricochet::maugis_dugdale> adhesion;
   std::variant<no_law, ricochet::greenwood, ricochet::greenwood_fit, ricochet::maugis_barquins> crack;
   std::variant<no_law, ricochet::kuwabara_kono, ricochet::hunt_crossley, ricochet::tsuji, ricochet::linear_dashpot>
       damping;

@@ -92,6 +92,8 @@ Law read_law(const row& row, const scene& scene, std::string_view name) {
     std::apply([&](const auto&... parameters) { (read(parameters), ...); }, Law::parameters());
   if constexpr (requires { law.validate(); }) // only of the fits, which hold for one modulus ratio
     row.checked("modulus_ratio", [&] { law.validate(); });
+  if constexpr (requires { law.validate(scene.pair); }) // only of maugis_dugdale
+    row.checked("interaction_range", [&] { law.validate(scene.pair); });
   return law;
 }
 
@@ -107,12 +109,13 @@ constexpr known_law law_in(std::string_view name) {
           [](scene& scene, const row& row, std::string_view self) { scene.*Role = read_law<Law>(row, scene, self); }};
 }
 
-constexpr std::array<known_law, 19> laws{{
+constexpr std::array<known_law, 20> laws{{
     law_in<ricochet::hertz, &scene::elastic>("hertz"),
     law_in<ricochet::linear, &scene::elastic>("linear"),
     law_in<ricochet::jkr, &scene::adhesion>("jkr"),
     law_in<ricochet::line_force, &scene::adhesion>("line_force"),
     law_in<ricochet::dmt, &scene::adhesion>("dmt"),
+    law_in<ricochet::maugis_dugdale, &scene::adhesion>("maugis_dugdale"),
     law_in<ricochet::greenwood, &scene::crack>("greenwood"),
     law_in<ricochet::greenwood_fit, &scene::crack>("greenwood_fit"),
     law_in<ricochet::maugis_barquins, &scene::crack>("maugis_barquins"),
@@ -163,6 +166,7 @@ void add(ricochet::role_count& sum, const ricochet::role_count& n) {
   sum.peeling += n.peeling;
   sum.rebounding += n.rebounding;
   sum.edgeless += n.edgeless;
+  sum.cohesion += n.cohesion;
 }
 
 /// Empty if this program solves the model, which the library composes, else the sentence of refusal.

@@ -140,6 +140,7 @@ outcome solve_usual(const scene& scene, double tolerance) {
       throw ricochet::bad_input(std::string(law) + " goes with the automatic stepper only");
   };
   refuse(std::holds_alternative<ricochet::linear>(scene.elastic), "linear");
+  refuse(std::holds_alternative<ricochet::maugis_dugdale>(scene.adhesion), "maugis_dugdale");
   refuse(std::holds_alternative<ricochet::maugis_barquins>(scene.crack), "maugis_barquins");
   refuse(std::holds_alternative<ricochet::mindlin>(scene.tangential), "mindlin");
   refuse(std::holds_alternative<ricochet::coulomb_with_peeling>(scene.tangential), "coulomb_with_peeling");

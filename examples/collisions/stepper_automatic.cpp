@@ -9,6 +9,7 @@ outcome solve_automatic_linear(const scene& scene, double tolerance);
 outcome solve_automatic_peeling(const scene& scene, double tolerance);
 outcome solve_automatic_power_law(const scene& scene, double tolerance);
 outcome solve_automatic_flow(const scene& scene, double tolerance);
+outcome solve_automatic_cohesive(const scene& scene, double tolerance);
 
 namespace {
 struct laws : usual_laws {
@@ -19,6 +20,8 @@ struct laws : usual_laws {
 outcome solve_automatic(const scene& scene, double tolerance) {
   if (std::holds_alternative<ricochet::thornton_ning_contact>(scene.plasticity))
     return solve_automatic_flow(scene, tolerance);
+  if (std::holds_alternative<ricochet::maugis_dugdale>(scene.adhesion))
+    return solve_automatic_cohesive(scene, tolerance);
   if (std::holds_alternative<ricochet::linear>(scene.elastic))
     return solve_automatic_linear(scene, tolerance);
   if (std::holds_alternative<ricochet::coulomb_with_peeling>(scene.tangential))

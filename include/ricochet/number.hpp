@@ -16,12 +16,15 @@ namespace ricochet {
 // The formulas' functions: of plain numbers from here, of other scalar types by their own namespace, of quantities from
 // units.hpp.
 using std::abs;
+using std::atan2;
+using std::cos;
 using std::exp;
 using std::isfinite;
 using std::log;
 using std::max;
 using std::min;
 using std::pow;
+using std::sin;
 using std::sqrt;
 
 /// How ricochet sees a scalar type T. `real` is the plain number that steers steps and events;

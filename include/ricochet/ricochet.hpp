@@ -10,6 +10,7 @@
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/adhesion/line_force.hpp>
+#include <ricochet/law/adhesion/maugis_dugdale.hpp>
 
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>

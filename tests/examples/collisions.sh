@@ -514,6 +514,30 @@ check "the power law, wrong input" all 'status_is 1' \
 power_law "" 0.5 hertz+jkr+maugis_barquins
 check "the power law without its speed" says 'line 2, column reference_speed, value "": blank, but needed by maugis_barquins'
 
+# --- adhesion with a range of its own ---------------------------------------------------------------------------------
+# cohesive MODEL...: ice spheres of a Tabor number of 0.9
+cohesive() { solve --tolerance 1e-9 "${options[@]}" < <(echo "$names,interaction_range,yield_strength"; for model in "$@"; do echo "$(ice $model),1e-8,2e9"; done); }
+models=""
+for damping in "" +kuwabara_kono +hunt_crossley +tsuji; do
+  models="$models hertz+maugis_dugdale$damping"
+done
+cohesive $models hertz+maugis_dugdale+thornton_ning
+check "maugis_dugdale: exit status 0, silence" all 'status_is 0' '[ ! -s "$work/err" ]'
+for row in 1 2 3 4 5; do
+  check "model $(cell $row model)" all 'row_is $row separated' 'near "$(cell $row ledger_residual)" 0 1e-8' \
+    'near "$(cell $row error_estimate)" 0 1e-9' 'holds "$(cell $row crack_loss) > 0"' '[ -z "$(cell $row warnings)" ]'
+done
+options=(--stepper dopri5)
+cohesive hertz+maugis_dugdale
+check "maugis_dugdale with another stepper" says "line 2: maugis_dugdale goes with the automatic stepper only"
+options=()
+cohesive hertz+maugis_dugdale+coulomb hertz+maugis_dugdale+greenwood
+check "maugis_dugdale, wrong input" all 'status_is 1' \
+  'says "line 2, column model, value \"hertz+maugis_dugdale+coulomb\": a contact with a cohesive zone moves along"' \
+  'says "line 3, column model, value \"hertz+maugis_dugdale+greenwood\": a crack-velocity law needs an adhesion law"'
+solve < <(echo "$names,interaction_range"; echo "$(ice hertz+maugis_dugdale),1")
+check "maugis_dugdale of too long a range" says 'line 2, column interaction_range, value "1": transition_parameter = '
+
 bad "missing needed value" ', column work_of_adhesion, value "": blank, but needed by jkr' "$(with work_of_adhesion "")"
 bad "a cell of spaces is missing" ', column speed, value "  ": blank, but needed by every collision' "$(with speed "  ")"
 bad "a second sphere needs its density" ', column density_2, value "": blank' "$(with density_2 "")"

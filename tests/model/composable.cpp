@@ -4,6 +4,7 @@
 
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/line_force.hpp>
+#include <ricochet/law/adhesion/maugis_dugdale.hpp>
 #include <ricochet/law/damping/linear_dashpot.hpp>
 #include <ricochet/law/elastic/linear.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
@@ -79,6 +80,12 @@ static_assert(!composable<hertz, line_force, coulomb, coulomb_with_peeling>);
 static_assert(!composable<hertz, line_force, coulomb_with_peeling, thornton_ning>);
 static_assert(!composable<hertz, mindlin, coulomb> && !composable<hertz, mindlin, thornton_ning>);
 
+static_assert(composable<hertz, maugis_dugdale> && composable<maugis_dugdale, tsuji, hertz, thornton_ning>);
+static_assert(!composable<hertz, maugis_dugdale, coulomb> && !composable<hertz, maugis_dugdale, mindlin>);
+static_assert(!composable<hertz, maugis_dugdale, greenwood> && !composable<linear, maugis_dugdale>);
+static_assert(!composable<hertz, maugis_dugdale, thornton_ning_contact> && !composable<hertz, maugis_dugdale, a>);
+static_assert(!composable<hertz, maugis_dugdale, jkr> && count_roles<maugis_dugdale>().cohesion == 1);
+
 static_assert(count_roles<linear>().edgeless == 1 && count_roles<hertz, jkr>().edgeless == 0);
 static_assert(count_roles<jkr, hertz, tsuji, extremes>().adhesion == 1);
 static_assert(count_roles<jkr, hertz, tsuji, extremes>().crack == 0);
@@ -118,34 +125,37 @@ BOOST_AUTO_TEST_CASE(the_table_of_refusals) {
 
 BOOST_AUTO_TEST_CASE(the_table_of_refusals_with_friction_and_plastic_flow) {
   int accepted = 0;
-  // With one elastic law; adhesion: none, jkr, dmt, line_force; friction: none, coulomb, mindlin, with a peeling
-  // moment, two laws.
-  for (int i = 0; i < 120; ++i) {
-    const int adhesion = i % 4, crack = i / 4 % 2, friction = i / 8 % 5, plasticity = i / 40 % 3;
+  // With one elastic law; adhesion: none, jkr, dmt, line_force, maugis_dugdale; friction: none, coulomb, mindlin, with
+  // a peeling moment, two laws.
+  for (int i = 0; i < 150; ++i) {
+    const int adhesion = i % 5, crack = i / 5 % 2, friction = i / 10 % 5, plasticity = i / 50 % 3;
     const role_count n{.elastic = 1,
                        .adhesion = adhesion != 0,
                        .crack = crack,
-                       .attraction = adhesion >= 2,
+                       .attraction = adhesion == 2 || adhesion == 3,
                        .tangential = friction == 4 ? 2 : friction != 0,
                        .plasticity = plasticity,
                        .stick_slip = friction == 2,
                        .peeling = friction >= 3,
-                       .rebounding = adhesion == 3};
+                       .rebounding = adhesion == 3,
+                       .cohesion = adhesion == 4};
     const std::string_view sentence = refusal(n);
     const auto says = [&](std::string_view words) { return sentence.find(words) != sentence.npos; };
-    const bool surface_energy = adhesion == 1, peels = adhesion == 3;
+    const bool surface_energy = adhesion == 1, peels = adhesion == 3, cohesive = adhesion == 4;
     const bool legal = (!crack || surface_energy) && friction < 4 && plasticity < 2 && !(friction && plasticity) &&
-                       !(friction == 2 && surface_energy) && (friction != 3 || peels);
+                       !(friction == 2 && surface_energy) && (friction != 3 || peels) && !(friction && cohesive);
     BOOST_TEST_CONTEXT(i << ": " << sentence) {
       BOOST_TEST(sentence.empty() == legal);
       BOOST_TEST((legal || (says("two tangential laws") && friction == 4) ||
                   (says("two plasticity laws") && plasticity == 2) ||
                   (says("plastic flow is added to the normal motion only") && friction && plasticity) ||
+                  (says("moves along its normal only") && friction && cohesive) ||
                   (says("stick and slip needs a Hertzian contact") && friction == 2 && surface_energy) ||
                   (says("needs an adhesion law with a rebound coefficient") && friction == 3 && !peels) ||
                   (says("needs an adhesion law with a surface energy") && crack && !surface_energy)));
     }
     accepted += legal;
   }
-  BOOST_TEST(accepted == 19); // five contacts: bare, with coulomb, with plastic loss; three with mindlin, one peels
+  // five contacts: bare, with coulomb, with plastic loss; three with mindlin, one peels; maugis_dugdale bare, with loss
+  BOOST_TEST(accepted == 21);
 }

@@ -3,6 +3,7 @@
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/adhesion/line_force.hpp>
+#include <ricochet/law/adhesion/maugis_dugdale.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/crack/greenwood_fit.hpp>
 #include <ricochet/law/crack/maugis_barquins.hpp>
@@ -118,7 +119,17 @@ template <class T>
 std::vector<T> values_at_set_up(const contact_numbers<T>& x) {
   const basic_pair<reduced<T>> pair{x.modulus, x.radius_of_bodies, x.mass};
   const jkr_law<reduced<T>> adhesion{x.work_of_adhesion};
-  return {adhesion.touch_radius(pair),
+  const maugis_dugdale_law<reduced<T>> ranged{x.work_of_adhesion, x.radius / T(2)};
+  const auto branch = ranged.branch(pair, x.radius);
+  const auto place = branch.at(x.approach * x.approach / x.radius, true);
+  const cohesive_configuration<reduced<T>> c{
+      {place.approach, x.rate, place.radius, x.radius}, place.cohesive_radius, place.angle};
+  return {ranged.attraction(pair, c),
+          ranged.potential_energy(pair, c),
+          ranged.equivalent_work_of_adhesion(pair),
+          place.slope,
+          branch.first(),
+          adhesion.touch_radius(pair),
           adhesion.fold_radius(pair),
           adhesion.equilibrium_radius(pair),
           adhesion.contact_radius(pair, x.radius),

@@ -11,8 +11,8 @@ namespace ricochet {
 /// same formulas, and nothing is asked that has to be watched step by step.
 template <class Model>
 inline constexpr bool runs_in_lanes =
-    !Model::has_crack_law && !Model::has_friction && !Model::yields && !Model::flows && !Model::asked.ledger &&
-    !Model::asked.duration && !Model::asked.extremes && !Model::asked.trajectory;
+    !Model::has_crack_law && !Model::cohesive && !Model::has_friction && !Model::yields && !Model::flows &&
+    !Model::asked.ledger && !Model::asked.duration && !Model::asked.extremes && !Model::asked.trajectory;
 
 /// How one solution of a collision ended; energies in units of the initial kinetic energy.
 enum class lane_fate { let_go, captured, set_aside };

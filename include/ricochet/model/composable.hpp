@@ -2,6 +2,7 @@
 #pragma once
 #include <ricochet/law/adhesion/adhesion_law.hpp>
 #include <ricochet/law/adhesion/attraction_law.hpp>
+#include <ricochet/law/adhesion/cohesive_law.hpp>
 #include <ricochet/law/crack/crack_velocity_law.hpp>
 #include <ricochet/law/damping/bulk_damping_law.hpp>
 #include <ricochet/law/elastic/elastic_law.hpp>
@@ -16,10 +17,10 @@ namespace ricochet {
 /// How many laws of each role a composition names; `attraction` of the adhesion laws are forces without an edge, `flow`
 /// of the plasticity laws act within the motion, `stick_slip` of the tangential ones stick and slip at once, `peeling`
 /// of them resist rolling; `rebounding` of the adhesion laws can be peeled, `edgeless` of the elastic ones have an
-/// energy that does not depend on the contact radius.
+/// energy that does not depend on the contact radius, `cohesion` of the adhesion laws forces of a range of their own.
 struct role_count {
   int elastic = 0, adhesion = 0, crack = 0, damping = 0, end = 0, attraction = 0, tangential = 0, plasticity = 0,
-      flow = 0, stick_slip = 0, peeling = 0, rebounding = 0, edgeless = 0;
+      flow = 0, stick_slip = 0, peeling = 0, rebounding = 0, edgeless = 0, cohesion = 0;
 };
 
 /// Empty if laws in these numbers go together, else the sentence of refusal.
@@ -42,7 +43,9 @@ constexpr std::string_view refusal(const role_count& n) {
     return "plastic flow is added to the normal motion only: drop the tangential law or the plasticity law";
   if (n.flow == 1 && n.crack == 1)
     return "plastic flow within the motion goes with a static edge: drop the crack-velocity law or take thornton_ning";
-  if (n.flow == 1 && n.attraction == 1)
+  if (n.cohesion == 1 && n.tangential == 1)
+    return "a contact with a cohesive zone moves along its normal only: drop the tangential law or take jkr or dmt";
+  if (n.flow == 1 && n.attraction + n.cohesion == 1)
     return "plastic flow within the motion goes with an adhesion law with a surface energy: take jkr or thornton_ning";
   if (n.stick_slip == 1 && n.adhesion != n.attraction)
     return "a tangential law with stick and slip needs a Hertzian contact: drop the adhesion law or take coulomb";
@@ -50,7 +53,7 @@ constexpr std::string_view refusal(const role_count& n) {
     return "a peeling moment needs an adhesion law with a rebound coefficient: add line_force or take coulomb";
   if (n.end > 1)
     return "two end conditions were given: keep one";
-  if (n.crack == 1 && n.adhesion == n.attraction)
+  if (n.crack == 1 && n.adhesion == n.attraction + n.cohesion)
     return "a crack-velocity law needs an adhesion law with a surface energy: add jkr";
   if (n.edgeless == 1 && n.adhesion > n.attraction)
     return "an adhesion law with a surface energy needs an elastic law with an edge: take hertz, or dmt or line_force";
@@ -77,7 +80,8 @@ constexpr role_count count_roles() {
           .stick_slip = (int(stick_slip_law<Laws>) + ... + 0),
           .peeling = (int(peeling_law<Laws>) + ... + 0),
           .rebounding = (int(rebounding_law<Laws>) + ... + 0),
-          .edgeless = (int(is_edgeless<Laws>) + ... + 0)};
+          .edgeless = (int(is_edgeless<Laws>) + ... + 0),
+          .cohesion = (int(cohesive_law<Laws>) + ... + 0)};
 }
 
 /// Can these laws be composed?

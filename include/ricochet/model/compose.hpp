@@ -19,11 +19,12 @@ consteval bool diagnose() {
     static_assert(elastic_law<L>, "elastic law: force, stored_energy, energy_release_rate or load_free_approach is "
                                   "missing or returns another type (law/elastic/elastic_law.hpp)");
   if constexpr (plays<L, role::adhesion>)
-    static_assert(adhesion_law<L> || attraction_law<L>,
+    static_assert(adhesion_law<L> || attraction_law<L> || cohesive_law<L>,
                   "adhesion law: work_of_adhesion, surface_energy, flattening, touch_radius, fold_radius, "
                   "contact_radius, pull_off_force or exit_energy is missing or returns another type "
                   "(law/adhesion/adhesion_law.hpp); or, of a force without an edge, attraction, potential_energy, "
-                  "rebound_damping or equivalent_work_of_adhesion (law/adhesion/attraction_law.hpp)");
+                  "rebound_damping or equivalent_work_of_adhesion (law/adhesion/attraction_law.hpp); or, of a force "
+                  "with a range, branch too (law/adhesion/cohesive_law.hpp)");
   if constexpr (plays<L, role::crack>)
     static_assert(crack_velocity_law<L>, "crack-velocity law: joints, speed_scale, first_ratio or rate is "
                                          "missing or returns another type (law/crack/crack_velocity_law.hpp)");
@@ -77,6 +78,13 @@ void check_dimensions() {
       (void)energy(law.potential_energy(p, c));
       (void)damping(law.rebound_damping(p, c));
       (void)energy_per_area(law.equivalent_work_of_adhesion(p));
+    };
+  else if constexpr (cohesive_law<Law>)
+    (void)[](const Law& law, pair p, const cohesive_configuration<dimensional>& c) {
+      (void)force(law.attraction(p, c));
+      (void)energy(law.potential_energy(p, c));
+      (void)energy_per_area(law.equivalent_work_of_adhesion(p));
+      (void)length(law.branch(p, c.radius).at(1.0, true).slope);
     };
   else if constexpr (plays<Law, role::adhesion>)
     (void)[](const Law& law, pair p, part c) {
@@ -166,14 +174,17 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
       n.flow == 0 || n.crack == 0,
       "plastic flow within the motion goes with a static edge: drop the crack-velocity law or take thornton_ning");
   static_assert(
-      n.flow == 0 || n.attraction == 0,
+      n.cohesion == 0 || n.tangential == 0,
+      "a contact with a cohesive zone moves along its normal only: drop the tangential law or take jkr or dmt");
+  static_assert(
+      n.flow == 0 || n.attraction + n.cohesion == 0,
       "plastic flow within the motion goes with an adhesion law with a surface energy: take jkr or thornton_ning");
   static_assert(n.stick_slip == 0 || n.adhesion == n.attraction,
                 "a tangential law with stick and slip needs a Hertzian contact: drop the adhesion law or take coulomb");
   static_assert(n.peeling == 0 || n.rebounding != 0,
                 "a peeling moment needs an adhesion law with a rebound coefficient: add line_force or take coulomb");
   static_assert(n.end < 2, "two end conditions were given: keep one");
-  static_assert(n.crack == 0 || n.adhesion != n.attraction,
+  static_assert(n.crack == 0 || n.adhesion != n.attraction + n.cohesion,
                 "a crack-velocity law needs an adhesion law with a surface energy: add jkr");
   static_assert(
       n.edgeless == 0 || n.adhesion == n.attraction,
@@ -204,6 +215,8 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
     detail::admit(damping);
     detail::admit(tangential);
     detail::admit(plasticity);
+    if constexpr (requires { adhesion.validate(pair); })
+      adhesion.validate(pair);
     detail::admit_flow(pair, adhesion, plasticity);
     detail::admit_bodies(pair, tangential);
     constexpr requests asked{.ledger = detail::names<energy_ledger, Arguments...>,

@@ -1,5 +1,6 @@
 #pragma once
 #include <ricochet/law/adhesion/attraction_law.hpp>
+#include <ricochet/law/adhesion/cohesive_law.hpp>
 #include <ricochet/law/end.hpp>
 #include <ricochet/law/plasticity/flowing_law.hpp>
 #include <ricochet/law/tangential/tangential_law.hpp>
@@ -14,7 +15,9 @@ template <class Elastic, class Adhesion, class Crack, class Damping, class Tange
 struct contact_model {
   using end_condition = End;
   static constexpr requests asked = Asked;
-  static constexpr bool attracted = attraction_law<Adhesion>;          ///< adhesion is a force on a Hertzian contact
+  static constexpr bool opposes_rebound = attraction_law<Adhesion>; ///< adhesion is a force on a Hertzian contact
+  static constexpr bool cohesive = cohesive_law<Adhesion>;          ///< adhesion is a force that makes the contact
+  static constexpr bool attracted = opposes_rebound || cohesive;
   static constexpr bool adhesive = is_present<Adhesion> && !attracted; ///< adhesion is a work done at the edge
   static constexpr bool damped = is_present<Damping>;
   static constexpr bool has_crack_law = is_present<Crack>;
@@ -51,7 +54,7 @@ struct contact_model {
   }
 
   /// Force by which an adhesion without an edge pulls, >= 0; to be taken from the elastic one.
-  force attraction(length approach, length radius) const requires attracted {
+  force attraction(length approach, length radius) const requires opposes_rebound {
     return adhesion.attraction(pair, {approach, speed{}, radius, root(radius)});
   }
 
@@ -60,9 +63,13 @@ struct contact_model {
     return damping.coefficient(pair, {approach, rate, radius, root(radius)}) * rate;
   }
 
-  /// Contact radius of the static edge at this approach (Hertzian without adhesion, the stable JKR branch with it).
+  /// Contact radius of the static edge at this approach (Hertzian without adhesion, the stable branch with it).
   length static_radius(length approach) const {
-    if constexpr (adhesive)
+    if constexpr (cohesive) {
+      const auto branch = adhesion.branch(pair, pair.reduced_radius);
+      const double y = branch.y_at(approach);
+      return branch.at(y, y >= 0).radius;
+    } else if constexpr (adhesive)
       return adhesion.contact_radius(pair, approach);
     else
       return approach > length{} ? length(sqrt(approach * pair.reduced_radius)) : length{};

@@ -20,12 +20,16 @@ public:
   using model_type = Model;
   static constexpr bool adhesive = Model::adhesive;
   static constexpr bool attracted = Model::attracted;
+  static constexpr bool cohesive = Model::cohesive;
+  static constexpr bool opposes_rebound = Model::opposes_rebound;
   static constexpr bool damped = Model::damped;
   static constexpr bool free_edge = Model::has_crack_law;
   static constexpr bool slides = Model::slides;
   static constexpr bool peels = Model::peels;
   static constexpr bool flows = Model::flows;
-  using part = std::conditional_t<flows, flattened_configuration<reduced<T>>, configuration<reduced<T>>>;
+  using part =
+      std::conditional_t<flows, flattened_configuration<reduced<T>>,
+                         std::conditional_t<cohesive, cohesive_configuration<reduced<T>>, configuration<reduced<T>>>>;
   static constexpr bool sticks_and_slips = Model::sticks_and_slips;
 
   basic_pair<reduced<T>> pair;
@@ -97,7 +101,7 @@ public:
 
   /// Force by which an attraction opposes the rebound.
   T rebound_force(const part& c) const {
-    if constexpr (attracted)
+    if constexpr (opposes_rebound)
       return adhesion.rebound_damping(pair, c) * c.rate;
     else
       return T(0);

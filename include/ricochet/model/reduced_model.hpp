@@ -15,6 +15,7 @@ namespace ricochet {
 template <class T, class Model>
 class reduced_model : public surface_laws<T, Model> {
   using laws = surface_laws<T, Model>;
+  using laws::branch_;
   using laws::flattening_;
   using laws::yield_coordinate_;
 
@@ -22,6 +23,7 @@ public:
   using laws::adhesion;
   using laws::adhesive;
   using laws::attracted;
+  using laws::cohesive;
   using laws::coordinate;
   using laws::crack;
   using laws::damped;
@@ -39,7 +41,7 @@ public:
 
   using unknowns = join<variables<coordinate_t, approach_rate_t>, optionally<mutual_approach_t, free_edge>,
                         optionally<elapsed_time_t, keeps_time>, optionally<bulk_loss_t, Model::asked.ledger && damped>,
-                        optionally<crack_loss_t, Model::asked.ledger && (free_edge || attracted)>,
+                        optionally<crack_loss_t, Model::asked.ledger && (free_edge || laws::opposes_rebound)>,
                         std::conditional_t<flows, variables<largest_coordinate_t, plastic_loss_t>, variables<>>,
                         typename laws::surface_unknowns>;
   using state_type = state<T, unknowns>;
@@ -71,11 +73,18 @@ public:
   using instant = contact_instant<T, part>;
 
   /// `piece` of the crack law to be used, or sliding(j) while the edge is held at joint j, where the law jumps and
-  /// both sides of the jump push beta back to it; of a flowing law 1 while it flows, else 0.
+  /// both sides of the jump push beta back to it; of a flowing law 1 while it flows, else 0; with a cohesive zone 1
+  /// while the surfaces touch, else 0.
   instant at(const state_type& x, int piece) const {
     instant now{};
     const T& y = x[coordinate];
     now.c.rate = x[approach_rate];
+    if constexpr (cohesive) {
+      now.clock = laws::place(now.c, y, piece == 1);
+      now.coordinate_rate = now.c.rate;
+      now.inside = value_of(now.c.cohesive_radius) > 0 && value_of(now.c.radius) > -value_of(now.c.cohesive_radius) / 2;
+      return now;
+    }
     now.c.radius = laws::radius_at(y);
     if constexpr (root_coordinate)
       now.c.root_radius = y;
@@ -128,12 +137,20 @@ public:
     }
     if constexpr (slides)
       laws::slide(now.c, x, dx, now.clock, direction);
-    if constexpr (Model::asked.ledger && attracted)
+    if constexpr (Model::asked.ledger && laws::opposes_rebound)
       dx[crack_loss] = rebound_now * now.c.rate * now.clock;
     return true;
   }
 
-  /// The contact at touch, delta = 0, at this speed; quadratures at zero.
+  /// The piece with which a contact begins.
+  int first_piece() const {
+    if constexpr (cohesive)
+      return value_of(branch_.first()) > 0 ? 1 : 0;
+    else
+      return 0;
+  }
+
+  /// The contact at first touch, or first pull, at this speed; quadratures at zero.
   state_type touch(const T& speed) const {
     state_type x{};
     for (auto& component : x)
@@ -145,11 +162,18 @@ public:
       x[coordinate] = sqrt(adhesion.touch_radius(pair));
     if constexpr (flows)
       x[largest_coordinate] = yield_coordinate_;
+    if constexpr (cohesive)
+      x[coordinate] = branch_.first();
     return x;
   }
 
   /// Coordinate at the fold of the static branch, where a slaved adhesive edge lets go.
-  T fold_coordinate() const requires adhesive { return sqrt(adhesion.fold_radius(pair)); }
+  T fold_coordinate() const requires(adhesive || cohesive) {
+    if constexpr (cohesive)
+      return branch_.fold();
+    else
+      return sqrt(adhesion.fold_radius(pair));
+  }
 
   /// Past the fold an edge that runs at its limit lets go; before it, the edge slides along the branch.
   bool past_fold(const configuration<reduced<T>>& c) const {
@@ -161,7 +185,8 @@ public:
     state_type x{};
     for (auto& component : x)
       component = T(1);
-    x[coordinate] = sqrt(pair.reduced_radius);
+    if constexpr (!cohesive)
+      x[coordinate] = sqrt(pair.reduced_radius);
     if constexpr (root_coordinate)
       x[coordinate] = sqrt(x[coordinate]);
     if constexpr (flows)

@@ -37,14 +37,12 @@ struct regime_report {
          "above 0.3, the bodies are no half-spaces in contact");
     if (tabor_number && uses_jkr)
       warn(*tabor_number < 5, "the Tabor number", *tabor_number,
-           *tabor_number < 0.1
-               ? "below 0.1, dmt describes adhesion and jkr does not"
-               : "between 0.1 and 5, neither jkr nor dmt describes adhesion well; closed_form::maugis_dugdale does");
+           *tabor_number < 0.1 ? "below 0.1, dmt describes adhesion and jkr does not"
+                               : "between 0.1 and 5, neither jkr nor dmt describes adhesion well; maugis_dugdale does");
     if (tabor_number && uses_dmt)
       warn(*tabor_number > 0.1, "the Tabor number", *tabor_number,
-           *tabor_number > 5
-               ? "above 5, jkr describes adhesion and dmt does not"
-               : "between 0.1 and 5, neither jkr nor dmt describes adhesion well; closed_form::maugis_dugdale does");
+           *tabor_number > 5 ? "above 5, jkr describes adhesion and dmt does not"
+                             : "between 0.1 and 5, neither jkr nor dmt describes adhesion well; maugis_dugdale does");
     if (cohesive_zone)
       warn(*cohesive_zone > 0.1, "the cohesive zone over the contact radius", *cohesive_zone,
            "above 0.1, the crack law's short zone is not short");
@@ -92,6 +90,8 @@ regime_report regime_of(const Model& model, speed v, length interaction_range = 
     if (in_si(w) > 0) {
       r.speed_over_capture = v / closed_form::sticking_speed(pair, w);
       length z0 = interaction_range;
+      if constexpr (requires { model.adhesion.interaction_range; })
+        z0 = model.adhesion.interaction_range;
       if constexpr (requires { model.crack.interaction_range; }) {
         z0 = model.crack.interaction_range;
         const duration relaxation = model.crack.relaxation_time;

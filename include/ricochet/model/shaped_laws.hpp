@@ -13,13 +13,15 @@ class shaped_laws : public reduced_laws<T, Model> {
 public:
   using laws::adhesion;
   using laws::adhesive;
+  using laws::cohesive;
   using laws::flows;
   using laws::free_edge;
   using laws::pair;
   using typename laws::part;
-  static constexpr bool root_coordinate =
-      adhesive || needs_root_radius<decltype(Model::elastic)> || needs_root_radius<decltype(Model::damping)>;
-  using coordinate_t = std::conditional_t<root_coordinate, root_contact_radius_t, contact_radius_t>;
+  static constexpr bool root_coordinate = !cohesive && (adhesive || needs_root_radius<decltype(Model::elastic)> ||
+                                                        needs_root_radius<decltype(Model::damping)>);
+  using coordinate_t = std::conditional_t<cohesive, cohesive_coordinate_t,
+                                          std::conditional_t<root_coordinate, root_contact_radius_t, contact_radius_t>>;
   static constexpr coordinate_t coordinate{};
 
   using laws::laws;
@@ -43,6 +45,12 @@ protected:
       flattening_ = adhesion.flattening(pair);
       exit_energy_ = free_edge ? T(0) : adhesion.exit_energy(pair);
     }
+    if constexpr (cohesive) {
+      branch_ = adhesion.branch(pair, sqrt(T(pair.reduced_radius)));
+      part c{};
+      place(c, branch_.fold(), value_of(branch_.fold()) > 0);
+      exit_energy_ = this->potential(c);
+    }
     if constexpr (flows) {
       yield_coordinate_ = this->plasticity.yield_radius(pair, flattening_);
       if constexpr (root_coordinate)
@@ -62,8 +70,20 @@ protected:
     return root_coordinate ? T(T(2) * y * lost) : lost;
   }
 
+  /// Leads a contact with a cohesive zone to y on its branch; the slope of the approach there.
+  T place(part& c, const T& y, bool touching) const requires cohesive {
+    const auto p = branch_.at(y, touching);
+    c.approach = p.approach;
+    c.radius = p.radius;
+    c.root_radius = sqrt(max(p.radius, T(0)));
+    c.cohesive_radius = p.cohesive_radius;
+    c.angle = p.angle;
+    return p.slope;
+  }
+
   T flattening_ = T(0), exit_energy_ = T(0);
   [[no_unique_address]] std::conditional_t<flows, T, variables<>> yield_coordinate_{};
+  [[no_unique_address]] branch_of<decltype(Model::adhesion), T> branch_{};
 };
 
 } // namespace ricochet

@@ -48,6 +48,8 @@ inline constexpr struct contact_radius_t {
 } contact_radius;
 inline constexpr struct root_contact_radius_t {
 } root_contact_radius;
+inline constexpr struct cohesive_coordinate_t { ///< that of a cohesive law's branch
+} cohesive_coordinate;
 inline constexpr struct elapsed_time_t {
 } elapsed_time;
 inline constexpr struct crack_loss_t {

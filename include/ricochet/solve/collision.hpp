@@ -84,7 +84,7 @@ private:
   typename Reduced::part now(const state_type& x) const { return model_.at(x, flow_.piece).c; }
 
   void touched(state_type& x) {
-    flow_.piece = 0;
+    flow_.piece = model_.first_piece();
     sliding_.touched(flow_, x);
     approaching_ = true;
     ledger_.touch(now(x));
@@ -220,7 +220,7 @@ private:
       next[elapsed_time] = x[elapsed_time] - now(x).approach / x[approach_rate];
     if constexpr (asked.ledger && Reduced::damped)
       next[bulk_loss] = x[bulk_loss];
-    if constexpr (asked.ledger && (Reduced::free_edge || Reduced::attracted))
+    if constexpr (asked.ledger && (Reduced::free_edge || Reduced::opposes_rebound))
       next[crack_loss] = x[crack_loss];
     sliding_.flew(x, next);
     return next;

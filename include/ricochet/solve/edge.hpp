@@ -66,6 +66,8 @@ public:
       const int joint = up ? piece : piece - 1, next = up ? piece + 1 : piece - 1;
       const bool pushed_back = !has_kink(piece, up) && (value_of(model_.root_ratio_rate(x, next)) > real(0)) != up;
       return pushed_back ? Reduced::sliding(joint) : next;
+    } else if constexpr (Reduced::cohesive) {
+      return up ? 1 : 0;
     } else {
       return piece;
     }

@@ -12,8 +12,8 @@ enum class event {
   turning,       ///< the approach rate changes sign
   letting_go,    ///< fold of the static edge, infinite speed or zero radius of a free one, or zero overlap
   zero_force,    ///< end of a damped contact without adhesion
-  leaving_below, ///< of the crack law's piece, towards smaller beta
-  leaving_above, ///< of the crack law's piece, towards larger beta
+  leaving_below, ///< of the law's piece, towards smaller beta, or before the surfaces touch
+  leaving_above, ///< of the law's piece, towards larger beta, or where the surfaces touch
   rolling,       ///< begins, or ends: the contact point slides no longer, or again
   yielding,      ///< the contact radius exceeds the largest so far
 };
@@ -30,7 +30,7 @@ class event_values {
 
 public:
   explicit event_values(const Reduced& model) : model_(model) {
-    if constexpr (Reduced::adhesive && !Reduced::free_edge)
+    if constexpr ((Reduced::adhesive && !Reduced::free_edge) || Reduced::cohesive)
       fold_ = model.fold_coordinate();
   }
 
@@ -64,7 +64,8 @@ public:
           return model_.root_ratio_rate(x, -1 - piece);
         if (piece > 0)
           return model_.root_ratio(x) - root_of_joint(piece - 1);
-      }
+      } else if constexpr (Reduced::cohesive) // the surfaces touch no more
+        return piece == 1 ? x[Reduced::coordinate] : T(1);
       break;
     case event::leaving_above:
       if constexpr (Reduced::free_edge) {
@@ -72,7 +73,8 @@ public:
           return -model_.root_ratio_rate(x, -piece);
         if (std::size_t(piece) < joint_count)
           return root_of_joint(piece) - model_.root_ratio(x);
-      }
+      } else if constexpr (Reduced::cohesive)
+        return piece == 0 ? T(-x[Reduced::coordinate]) : T(1);
       break;
     case event::rolling:
       if constexpr (Reduced::peels) // where it begins to slide from rest, round-off shall not stop it

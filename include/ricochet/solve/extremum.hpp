@@ -25,7 +25,8 @@ public:
   template <class Before, class Here>
   void step(const Real& h, const Real& value, const Before& before, const Here& here) {
     largest_ = max(largest_, value);
-    if (now_ >= before_ && now_ >= value && last_h_ > 0) {
+    const bool level = now_ == before_ && now_ == value; // as the radius before the surfaces touch
+    if (now_ >= before_ && now_ >= value && !level && last_h_ > 0) {
       const auto negative = [&](const Real& t) -> Real { return t < 0 ? -before(t + last_h_) : -here(t); };
       std::uintmax_t iterations = 60;
       const auto found = boost::math::tools::brent_find_minima(negative, Real(-last_h_), h,
