@@ -13,6 +13,7 @@ namespace ricochet {
 template <class Model>
 class physical_system {
   static_assert(!Model::flows, "a physical system has no memory of plastic flow: take collide()");
+  static_assert(!Model::cohesive, "a physical system has no radius of a contact with a cohesive zone: take collide()");
 
 public:
   static constexpr bool free_edge = Model::has_crack_law;
