@@ -20,8 +20,7 @@ struct greenwood_law {
   number modulus_ratio{};
   typename S::length interaction_range{};
   number first_ratio_over_k = number(1.01);
-  std::shared_ptr<const greenwood_table> table =
-      nullptr; ///< made by compose(); give one made for the same k to share it
+  typename greenwood_table_of<number>::type table{}; ///< made by compose(); give one made for the same k to share it
 
   template <class Other>
   using in = greenwood_law<Other>;
@@ -50,53 +49,59 @@ struct greenwood_law {
   /// beta of the contact's edge when the bodies touch [K appendix B].
   number first_ratio() const { return first_ratio_over_k * modulus_ratio; }
 
-  /// Piece 0 closes (k < beta < 1), piece 1 opens (1 < beta < 1/k).
-  edge_rate<number> rate(const number& root_ratio, int piece) const {
+  /// Piece 0 closes (k < beta < 1), piece 1 opens (1 < beta < 1/k); a piece for each lane where numbers are lanes.
+  template <class Piece>
+  edge_rate<number> rate(const number& root_ratio, const Piece& piece) const {
     const number k = modulus_ratio;
     const number excess = (root_ratio - number(1)) * (root_ratio + number(1)); // beta - 1
-    const number distance = select<number>(
-        abs(excess) > number(1e-18f), [&] { return number(abs(excess)); }, [] { return number(1e-18f); });
-    const number sign = select<number>(
-        excess > number(0), [] { return number(-1); }, [] { return number(1); });
-    if (piece == 0) { // beyond beta = 1 the mirror image of the speed
-      const number ratio = select<number>(
-          excess < number(0), [&] { return number(root_ratio * root_ratio); },
-          [&] { return number(number(1) - distance); });
-      const number Q = (ratio - k) / distance;
-      return {sign, Q * closing_slowness(Q)};
-    }
+    const number distance = max(number(abs(excess)), number(1e-18f));
+    const auto closes = piece == 0; // for all lanes, or for each
+    const auto below = excess < number(0);
+    const auto exact = [&] { return number(root_ratio * root_ratio); };
+    // beyond beta = 1 the mirror image of the speed
     const number ratio = select<number>(
-        excess > number(0), [&] { return number(root_ratio * root_ratio); },
-        [&] { return number(number(1) + distance); });
-    const number Q = (number(1) - k * ratio) / distance;
-    return {sign * pi<number>() * ratio, Q * opening_slowness(Q)};
+        closes, [&] { return select<number>(below, exact, [&] { return number(number(1) - distance); }); },
+        [&] {
+          return select<number>(
+              below, [&] { return number(number(1) + distance); }, exact);
+        });
+    const number sign = select<number>(
+        below, [] { return number(1); }, [] { return number(-1); });
+    const number Q = select<number>(
+                         closes, [&] { return number(ratio - k); }, [&] { return number(number(1) - k * ratio); }) /
+                     distance;
+    return {select<number>(
+                closes, [&] { return sign; }, [&] { return number(sign * pi<number>() * ratio); }),
+            Q * slowness_over_factor(closes, Q)};
   }
 
 private:
-  number closing_slowness(const number& Q) const {
-    if constexpr (number_traits<number>::inverts_exactly) {
-      if (Q <= number(0))
-        return number(12) * modulus_ratio / pi<number>();
-      const auto curve = [this](const number& a) { return cohesive_zone::closing<number>(a, modulus_ratio); };
-      const double near = static_cast<double>(Q);
-      const double guess = 0.25 * pi<double>() * near * table->closing.value(near); // alpha D; alpha >= this
-      const number alpha = cohesive_zone::invert<number>(curve, Q, number(std::max(guess, near)));
-      return curve(alpha).slowness / Q;
-    } else {
-      return evaluate<number>(table->closing, Q);
-    }
+  template <class Condition>
+  number slowness_over_factor(const Condition& closes, const number& Q) const {
+    if constexpr (!std::same_as<Condition, bool>)
+      return table.value(closes, Q);
+    else if constexpr (number_traits<number>::inverts_exactly)
+      return closes ? exact_closing_slowness(Q) : exact_opening_slowness(Q);
+    else
+      return evaluate<number>(closes ? table->closing : table->opening, Q);
   }
-  number opening_slowness(const number& Q) const {
-    if constexpr (number_traits<number>::inverts_exactly) {
-      if (Q <= number(0))
-        return number(12);
-      const double near = static_cast<double>(Q);
-      return number(4) / Q *
-             cohesive_zone::invert<number>(cohesive_zone::opening<number>, Q,
-                                           number(near * table->opening.value(near) / 4));
-    } else {
-      return evaluate<number>(table->opening, Q);
-    }
+
+  number exact_closing_slowness(const number& Q) const {
+    if (Q <= number(0))
+      return number(12) * modulus_ratio / pi<number>();
+    const auto curve = [this](const number& a) { return cohesive_zone::closing<number>(a, modulus_ratio); };
+    const double near = static_cast<double>(Q);
+    const double guess = 0.25 * pi<double>() * near * table->closing.value(near); // alpha D; alpha >= this
+    const number alpha = cohesive_zone::invert<number>(curve, Q, number(std::max(guess, near)));
+    return curve(alpha).slowness / Q;
+  }
+  number exact_opening_slowness(const number& Q) const {
+    if (Q <= number(0))
+      return number(12);
+    const double near = static_cast<double>(Q);
+    return number(4) / Q *
+           cohesive_zone::invert<number>(cohesive_zone::opening<number>, Q,
+                                         number(near * table->opening.value(near) / 4));
   }
 };
 using greenwood = greenwood_law<dimensional>;

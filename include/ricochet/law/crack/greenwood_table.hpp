@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ricochet {
@@ -53,10 +54,14 @@ public:
     return sum * per_half_piece(Q + unit_);
   }
 
+  using polynomial = std::array<double, degree + 1>; ///< powers of t in [-1, 1]
+  static constexpr int mantissa_bits = 52, piece_bits = 2;
+
+  double unit() const { return unit_; }
+  const std::vector<polynomial>& polynomials() const { return coefficients_; }
+
 private:
   static_assert(std::numeric_limits<double>::is_iec559 && degree % 2 == 1);
-  using polynomial = std::array<double, degree + 1>; // powers of t in [-1, 1]
-  static constexpr int mantissa_bits = 52, piece_bits = 2;
   static constexpr std::uint64_t within_piece = (std::uint64_t(1) << (mantissa_bits - piece_bits)) - 1;
 
   static std::size_t number_of(double x) {
@@ -136,6 +141,12 @@ struct greenwood_table {
           alpha = cohesive_zone::invert<long double>(cohesive_zone::opening<long double>, Q, alpha);
           return 4 * alpha / Q;
         }) {}
+};
+
+/// How a law on numbers of this type holds its table.
+template <class T>
+struct greenwood_table_of {
+  using type = std::shared_ptr<const greenwood_table>;
 };
 
 } // namespace ricochet
