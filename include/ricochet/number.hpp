@@ -6,6 +6,7 @@
 #include <concepts>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #ifdef __FAST_MATH__
 #error "ricochet: compile without -ffast-math; error bounds, infinities and signed zeros would lose their meaning"
@@ -44,9 +45,15 @@ template <class T>
 using real_of = typename number_traits<T>::real;
 
 template <class T>
-constexpr real_of<T> value_of(const T& x) {
+constexpr auto value_of(const T& x) {
   return number_traits<T>::value(x);
 }
+
+/// What a comparison of such numbers gives: a bool, or one for each of many numbers side by side.
+template <class T>
+using truth_of = decltype(std::declval<const T&>() < std::declval<const T&>());
+template <class T>
+inline constexpr bool is_many = !std::same_as<truth_of<T>, bool>;
 
 template <class T>
 T pi() {

@@ -65,3 +65,43 @@ BOOST_AUTO_TEST_CASE(who_takes_too_long_is_set_aside) {
   for (const auto& solution : solved(tasks(many::size), 20))
     BOOST_TEST((solution.fate == lane_fate::set_aside));
 }
+
+BOOST_AUTO_TEST_CASE(edges_of_finite_speed_run_in_lanes) {
+  const auto shared = std::make_shared<const greenwood_table>(0.02);
+  const auto compose_from = [&](const support::scene& s) {
+    return viscous_jkr(s, greenwood{.relaxation_time = 5.0 * s.relaxation_time,
+                                    .modulus_ratio = 0.02,
+                                    .interaction_range = s.interaction_range,
+                                    .table = shared});
+  };
+  using edge_model = decltype(compose_from(std::declval<support::scene>()));
+  scenes random(12);
+  std::vector<edge_model> models;
+  std::vector<double> speeds;
+  for (int i = 0; i < 200; ++i) {
+    const auto s = random.next();
+    models.push_back(compose_from(s));
+    speeds.push_back(in_si(s.speed));
+  }
+  int ended = 0, wrong = 0;
+  lane_solver<edge_model, many>(models[0], 1'000'000)
+      .solve(
+          models.size(),
+          [&](std::size_t i) {
+            return lane_task<edge_model>{laws_in_si<double>(models[i]), speeds[i], 1e-8};
+          },
+          [&](std::size_t i, const lane_solution& solution) {
+            if (solution.fate == lane_fate::set_aside)
+              return;
+            ++ended;
+            const speed v = speeds[i] * metres_per_second;
+            const scales unit = scales_at(models[i], v);
+            const reduced_model<double, edge_model> numbers(models[i], unit);
+            collision<decltype(numbers), stepper::tsitouras_papakostas75> alone(numbers, 1e-9, 1'000'000);
+            const auto expected = alone.solve(reduce<double>(v, unit));
+            const double e = solution.fate == lane_fate::let_go ? solution.restitution : 0;
+            wrong += !(std::abs(e - expected.restitution.value_or(0)) < 1e-8);
+          });
+  BOOST_TEST(ended > 190);
+  BOOST_TEST(wrong == 0);
+}

@@ -1,7 +1,7 @@
 // The laws of many collisions side by side: each lane has its own bodies, parameters and scales.
 #pragma once
+#include <ricochet/batch/lane_table.hpp>
 #include <ricochet/model/reduced_model.hpp>
-#include <ricochet/number/lanes.hpp>
 
 namespace ricochet {
 
@@ -13,6 +13,8 @@ void put_lane(reduced_laws<Lanes, Model>& to, std::size_t lane, const reduced_la
   to.pair.reduced_mass.put(lane, from.pair.reduced_mass);
   to.for_each_law(from, [&](auto& law, const auto& source) {
     for_each_parameter(law, source, [&](auto& parameter, const auto& x) { parameter.put(lane, x); });
+    if constexpr (requires { law.table.put(lane, *source.table); })
+      law.table.put(lane, *source.table);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <ricochet/batch/lane_laws.hpp>
+#include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/solve/collide.hpp>
 
 #include <bit>
@@ -7,12 +8,13 @@
 
 namespace ricochet {
 
-/// A model whose collisions can run side by side: the edge is slaved to the approach, so that all lanes go through the
-/// same formulas, and nothing is asked that has to be watched step by step.
+/// A model whose collisions can run side by side: all lanes go through the same formulas, an edge of finite speed only
+/// by the exact law, and nothing is asked that has to be watched step by step.
 template <class Model>
-inline constexpr bool runs_in_lanes =
-    !Model::has_crack_law && !Model::cohesive && !Model::has_friction && !Model::yields && !Model::flows &&
-    !Model::asked.ledger && !Model::asked.duration && !Model::asked.extremes && !Model::asked.trajectory;
+inline constexpr bool runs_in_lanes = (!Model::has_crack_law ||
+                                       std::same_as<decltype(Model::crack), greenwood>)&&!Model::cohesive
+                                      && !Model::has_friction && !Model::yields && !Model::flows && !Model::asked.ledger
+                                      && !Model::asked.duration && !Model::asked.extremes && !Model::asked.trajectory;
 
 /// How one solution of a collision ended; energies in units of the initial kinetic energy.
 enum class lane_fate { let_go, captured, set_aside };
@@ -44,6 +46,7 @@ class lane_solver {
   static constexpr bool ends_without_force =
       !pulled && Model::damped && std::same_as<typename Model::end_condition, end_at_zero_force>;
   static constexpr bool kinks_at_turning = Model::attracted; ///< where it may begin to oppose the rebound
+  static constexpr bool free_edge = Model::has_crack_law;    ///< whose motion has a kink where it rests
 
 public:
   static constexpr int evaluations_a_step = int(stepper::tsitouras_papakostas75_table::stages);
@@ -51,10 +54,8 @@ public:
   /// Of `model` only the quantities' dimensions count, and what its type says. Set aside is what takes more evaluations
   /// than given, or many more than lanes are good for.
   lane_solver(const Model& model, long max_evaluations)
-      : model_(model),
-        most_steps_(double(std::min(max_evaluations / evaluations_a_step, 1000L))), now_{.model = reduced_type(
-                                                                                             laws_in_si<Lanes>(model))},
-        staged_(now_) {}
+      : model_(model), most_steps_(double(std::min(max_evaluations / evaluations_a_step, free_edge ? 4000L : 1000L))),
+        now_{.model = reduced_type(laws_in_si<Lanes>(model))}, staged_(now_) {}
 
   /// `task_of(i)` gives the task i < count; `finished(i, lane_solution)` is told its solution, in no certain order.
   template <class TaskOf, class Finished>
@@ -102,6 +103,7 @@ private:
     state_type x{}, per_error{};   ///< per_error: one over the error allowed in a step
     Lanes h{}, longest{}, close{}; ///< close: to an event, from where one Newton step leads there
     Lanes end{};                   ///< coordinate where a slaved edge lets go
+    Lanes piece{}, since{};        ///< of a free edge: that of its law, and the slowed time since it last rested
     Lanes speed{}, has_turned{}, largest_energy{}, steps{};
   };
 
@@ -125,7 +127,11 @@ private:
     const state_type typical = m.typical();
     for (std::size_t i = 0; i < typical.size(); ++i)
       staged_.per_error[i] = Lanes(1) / (typical[i] * tolerance);
-    staged_.longest = typical[m.coordinate] * min(Lanes(1), Lanes(2) * sqrt(sqrt(sqrt(tolerance))));
+    const Lanes eighth_root = sqrt(sqrt(sqrt(tolerance)));
+    if constexpr (free_edge)
+      staged_.longest = min(Lanes(0.4), eighth_root);
+    else
+      staged_.longest = typical[m.coordinate] * min(Lanes(1), Lanes(2) * eighth_root);
     staged_.h = staged_.longest / Lanes(8);
     staged_.close = staged_.longest * sqrt(tolerance) / Lanes(64);
     staged_.has_turned = staged_.steps = Lanes(0);
@@ -133,7 +139,9 @@ private:
       staged_.end = m.fold_coordinate();
     else
       staged_.end = Lanes(0);
-    const Lanes potential = m.potential(m.at(staged_.x, 0).c);
+    staged_.piece = Lanes(0);
+    staged_.since = Lanes(infinite);
+    const Lanes potential = m.potential(m.at(staged_.x, staged_.piece).c);
     staged_.largest_energy = max(max(m.kinetic_energy(v), abs(potential)), m.exit_energy());
   }
 
@@ -145,59 +153,128 @@ private:
   [[gnu::flatten]] endings step() {
     const reduced_type& m = now_.model;
     state_type& x = now_.x;
-    const auto system = [&m](const state_type& at, state_type& slope, const Lanes&) { m.derivative(at, slope, 0); };
+    mask inside = true;
+    const auto system = [&](const state_type& at, state_type& slope, const Lanes&) {
+      if constexpr (free_edge)
+        inside = inside & m.derivative(at, slope, now_.piece);
+      else
+        m.derivative(at, slope, 0);
+    };
     state_type slope;
     system(x, slope, Lanes(0));
-    const mask never = Lanes(1) < Lanes(0), outward = x[approach_rate] < Lanes(0);
+    const mask outward = x[approach_rate] < Lanes(0);
     now_.has_turned = where(outward, Lanes(1), now_.has_turned);
 
-    Lanes ahead = where(outward, time_to_end(x, slope), Lanes(infinite));
-    mask turns = never;
-    if constexpr (kinks_at_turning) {
-      turns = (now_.has_turned < Lanes(1)) & (slope[approach_rate] < Lanes(0));
-      const Lanes tangent = -x[approach_rate] / slope[approach_rate]; // leads beyond the kink, less so from near
-      const Lanes part = where(tangent < Lanes(0.1) * now_.longest, Lanes(0.95), Lanes(0.6));
-      ahead = where(turns, tangent * where(tangent < Lanes(16) * now_.close, Lanes(1), part), ahead);
-      turns = turns & (ahead < now_.close);
-      for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] = where(turns, x[i] + slope[i] * ahead, x[i]);
-      x[approach_rate] = where(turns, Lanes(-0x1p-60), x[approach_rate]);
-    }
-    const mask let_go = (abs(ahead) < now_.close) & ~turns;
+    const auto [to_end, lets_go] = end_ahead(x, slope, outward);
+    const auto [to_kink, kinks] = kink_ahead(x, slope);
+    Lanes ahead = where(kinks, to_kink, to_end);
+    const mask crosses = kinks & (ahead < now_.close);
+    if constexpr (kinks_at_turning || free_edge)
+      cross(crosses, x, slope, ahead);
+    const mask near_end = (abs(ahead) < now_.close) & ~crosses & ~kinks, let_go = near_end & lets_go;
     end_rate_ = x[approach_rate] + slope[approach_rate] * ahead;
     excess_ = m.kinetic_energy(end_rate_);
-    mask captured = never;
+    mask captured = false;
     if constexpr (pulled) {
-      const part c = m.at(x, 0).c;
+      const part c = m.at(x, now_.piece).c;
       const Lanes potential = m.potential(c), left = m.kinetic_energy(c.rate) + potential - m.exit_energy();
       now_.largest_energy = max(now_.largest_energy, abs(potential));
       captured = (left < Lanes(0)) & (now_.has_turned > Lanes(0)) & ~let_go;
       excess_ = where(captured, left, excess_);
     }
 
-    const mask lands = (ahead <= now_.h) & ~turns;
+    Lanes longest = now_.h;
+    if constexpr (free_edge) // the motion is not smooth behind a kink: steps grow with the distance
+      longest = min(longest, max(Lanes(1.5) * now_.since, Lanes(4) * now_.close));
+    const mask lands = (ahead <= longest) & ~crosses;
     state_type next, error{};
-    const Lanes h = where(lands, ahead, now_.h);
+    const Lanes h = where(lands, ahead, longest);
     stepper_.do_step(system, x, slope, Lanes(0), next, h, error);
-    advance(next, error, h, lands, turns);
-    const mask aside = (now_.steps > Lanes(most_steps_)) | (now_.h <= Lanes(1e-12) * now_.longest);
+    advance(next, error, h, lands, crosses, inside);
+    const mask aside =
+        (now_.steps > Lanes(most_steps_)) | (now_.h <= Lanes(1e-12) * now_.longest) | (near_end & ~(let_go | captured));
     return {let_go.bits(), captured.bits(), aside.bits()};
   }
 
   /// Lanes whose step of size h was good enough move on, and every lane gets the size of its next one; one that was
   /// shortened to land at an event does not change it.
-  void advance(const state_type& next, const state_type& error, const Lanes& h, const mask& lands, const mask& turns) {
+  void advance(const state_type& next, const state_type& error, const Lanes& h, const mask& lands, const mask& crosses,
+               const mask& inside) {
     Lanes largest = abs(error[0]) * now_.per_error[0];
     for (std::size_t i = 1; i < error.size(); ++i)
       largest = max(largest, abs(error[i]) * now_.per_error[i]);
-    const mask accepted = largest <= Lanes(1);
+    mask valid = inside;
+    if constexpr (free_edge)
+      valid = valid & ~steps_over_kink(next);
+    const mask accepted = (largest <= Lanes(1)) & valid & ~crosses;
     for (std::size_t i = 0; i < next.size(); ++i)
-      now_.x[i] = where(accepted & ~turns, next[i], now_.x[i]);
+      now_.x[i] = where(accepted, next[i], now_.x[i]);
     // The error goes as the sixth power of the step; the eighth root is cheap, and cautious.
     const Lanes root = Lanes(0.9) / sqrt(sqrt(sqrt(max(largest, Lanes(1e-8)))));
-    const Lanes change = where(largest < Lanes(infinite), max(min(root, Lanes(5)), Lanes(0.1)), Lanes(0.25));
-    now_.h = where(turns | (accepted & lands), now_.h, min(abs(h) * change, now_.longest));
+    const Lanes change = where((largest < Lanes(infinite)) & valid, max(min(root, Lanes(5)), Lanes(0.1)), Lanes(0.25));
+    now_.h = where(crosses | (accepted & lands), now_.h, min(abs(h) * change, now_.longest));
+    if constexpr (free_edge)
+      now_.since = where(crosses, Lanes(0), where(accepted, now_.since + h, now_.since));
     now_.steps += Lanes(1);
+  }
+
+  /// Has the edge come to rest and gone on by the wrong piece of its law? One just turned around may still be there.
+  mask steps_over_kink(const state_type& next) const {
+    const Lanes side = Lanes(1) - Lanes(2) * now_.piece;
+    const Lanes before = (now_.model.root_ratio(now_.x) - Lanes(1)) * side;
+    return (now_.model.root_ratio(next) - Lanes(1)) * side > max(before, Lanes(0));
+  }
+
+  struct event_ahead {
+    Lanes time; ///< infinite where there is none
+    mask is;
+  };
+
+  /// The end of the contact; of a free edge only past the fold.
+  event_ahead end_ahead(const state_type& x, const state_type& slope, const mask& outward) const {
+    if constexpr (free_edge) { // 1 - k beta is smooth where the slowness vanishes
+      const reduced_type& m = now_.model;
+      const Lanes r = m.root_ratio(x), k = m.crack.modulus_ratio;
+      const Lanes fall = Lanes(2) * k * r * m.root_ratio_slope(x, slope), left = Lanes(1) - k * r * r;
+      return {where((now_.piece > Lanes(0)) & (fall > Lanes(0)), part_of(left / fall), Lanes(infinite)),
+              m.past_fold(m.at(x, now_.piece).c) & outward};
+    } else {
+      return {where(outward, time_to_end(x, slope), Lanes(infinite)), true};
+    }
+  }
+
+  /// From afar the tangent to an event that the motion must not be led beyond is followed a part of the way only.
+  Lanes part_of(const Lanes& tangent) const {
+    const mask near = tangent < Lanes(0.1) * now_.longest;
+    if constexpr (free_edge)
+      return tangent * where(tangent < now_.close, Lanes(1), where(near, Lanes(0.7), Lanes(0.4)));
+    else
+      return tangent * where(tangent < Lanes(16) * now_.close, Lanes(1), where(near, Lanes(0.95), Lanes(0.6)));
+  }
+
+  /// A kink that the motion goes on behind: where the rate changes its sign, or the edge rests.
+  event_ahead kink_ahead(const state_type& x, const state_type& slope) const {
+    if constexpr (kinks_at_turning) { // the tangent leads beyond the kink, less so from near
+      return {part_of(-x[approach_rate] / slope[approach_rate]),
+              (now_.has_turned < Lanes(1)) & (slope[approach_rate] < Lanes(0))};
+    } else if constexpr (free_edge) {
+      const Lanes gap = now_.model.root_ratio(x) - Lanes(1), growth = now_.model.root_ratio_slope(x, slope);
+      const mask opens = now_.piece > Lanes(0);
+      return {part_of(-gap / growth),
+              (opens & (gap >= Lanes(0)) & (growth < Lanes(0))) | (~opens & (gap <= Lanes(0)) & (growth > Lanes(0)))};
+    } else {
+      return {Lanes(infinite), false};
+    }
+  }
+
+  /// These lanes go over to the other side of a kink near by.
+  void cross(const mask& these, state_type& x, const state_type& slope, const Lanes& ahead) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = where(these, x[i] + slope[i] * ahead, x[i]);
+    if constexpr (kinks_at_turning)
+      x[approach_rate] = where(these, Lanes(-0x1p-60), x[approach_rate]);
+    else
+      now_.piece = where(these, Lanes(1) - now_.piece, now_.piece);
   }
 
   /// By a parabola to where the overlap or the static branch ends, by the tangent to where the force does.
@@ -215,8 +292,8 @@ private:
   /// Tangent to F/D + rate along the motion.
   Lanes time_to_zero_force(const state_type& x, const state_type& slope) const requires ends_without_force {
     const reduced_type& m = now_.model;
-    const auto value = [&m](const state_type& at) {
-      const part c = m.at(at, 0).c;
+    const auto value = [&m, this](const state_type& at) {
+      const part c = m.at(at, now_.piece).c;
       return m.elastic.force(m.pair, c) / m.damping.coefficient(m.pair, c) + c.rate;
     };
     const Lanes apart = Lanes(1e-7) * now_.longest;

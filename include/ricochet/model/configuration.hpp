@@ -16,11 +16,11 @@ struct configuration {
 template <class T, class Part = configuration<reduced<T>>>
 struct contact_instant {
   Part c;
-  T clock;           ///< dt/d(sigma)
-  T coordinate_rate; ///< dy/d(sigma)
-  T root_ratio;      ///< sqrt(G/w); 1 for a slaved edge with adhesion, 0 without
-  T slowness;        ///< of a free edge: 0 where it runs at infinite speed
-  bool inside;       ///< false outside the domain of the equations
+  T clock;            ///< dt/d(sigma)
+  T coordinate_rate;  ///< dy/d(sigma)
+  T root_ratio;       ///< sqrt(G/w); 1 for a slaved edge with adhesion, 0 without
+  T slowness;         ///< of a free edge: 0 where it runs at infinite speed
+  truth_of<T> inside; ///< false outside the domain of the equations
 };
 
 } // namespace ricochet

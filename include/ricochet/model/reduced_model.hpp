@@ -75,7 +75,8 @@ public:
   /// `piece` of the crack law to be used, or sliding(j) while the edge is held at joint j, where the law jumps and
   /// both sides of the jump push beta back to it; of a flowing law 1 while it flows, else 0; with a cohesive zone 1
   /// while the surfaces touch, else 0.
-  instant at(const state_type& x, int piece) const {
+  template <class Piece>
+  instant at(const state_type& x, const Piece& piece) const {
     instant now{};
     const T& y = x[coordinate];
     now.c.rate = x[approach_rate];
@@ -110,11 +111,21 @@ public:
     return (root_ratio_gradient(now) * now.coordinate_rate - now.c.rate * now.clock) / (flattening_ * x[coordinate]);
   }
 
+  /// Its like for a given dx/d(sigma).
+  T root_ratio_slope(const state_type& x, const state_type& dx) const requires free_edge {
+    const T& y = x[coordinate];
+    const T gradient = T(2) * y * elastic.load_free_slope(pair, T(y * y));
+    return (gradient * dx[coordinate] - dx[mutual_approach]) * per_flattening_ / y - root_ratio(x) * dx[coordinate] / y;
+  }
+
   /// dx/d(sigma); false outside the domain. `direction` in which the contact point slides, 0 while it rolls.
-  bool derivative(const state_type& x, state_type& dx, int piece, [[maybe_unused]] int direction = 0) const {
+  template <class Piece>
+  truth_of<T> derivative(const state_type& x, state_type& dx, const Piece& piece,
+                         [[maybe_unused]] int direction = 0) const {
     const instant now = at(x, piece);
-    if (!now.inside)
-      return false;
+    if constexpr (!is_many<T>)
+      if (!now.inside)
+        return false;
     const T damping_now = this->damping_force(now.c);
     dx[coordinate] = now.coordinate_rate;
     const T rebound_now = this->rebound_force(now.c);
@@ -139,7 +150,7 @@ public:
       laws::slide(now.c, x, dx, now.clock, direction);
     if constexpr (Model::asked.ledger && laws::opposes_rebound)
       dx[crack_loss] = rebound_now * now.c.rate * now.clock;
-    return true;
+    return now.inside;
   }
 
   /// The piece with which a contact begins.
@@ -176,7 +187,7 @@ public:
   }
 
   /// Past the fold an edge that runs at its limit lets go; before it, the edge slides along the branch.
-  bool past_fold(const configuration<reduced<T>>& c) const {
+  truth_of<T> past_fold(const configuration<reduced<T>>& c) const {
     return value_of(c.approach) < -3 * value_of(elastic.load_free_approach(pair, c.radius));
   }
 
@@ -198,36 +209,48 @@ public:
   real_of<T> typical_time() const { return free_edge ? real_of<T>(1) : real_of<T>(value_of(typical()[coordinate])); }
 
 private:
-  void move_free_edge(instant& now, const state_type& x, int piece) const {
+  template <class Piece>
+  void move_free_edge(instant& now, const state_type& x, const Piece& piece) const {
     const T& y = x[coordinate];
     now.c.approach = x[mutual_approach];
     now.root_ratio = root_ratio(x);
-    now.inside = value_of(y) > 0 ? value_of(now.root_ratio) > 0 : closes_up(now.c, piece);
-    if (!now.inside)
-      return;
     edge_rate<T> edge{};
     T advance; // y dy/dt times the slowness, over the reference
-    if (piece >= 0) {
-      edge = crack.rate(value_of(y) > 0 ? now.root_ratio : T(-now.root_ratio), piece);
+    if constexpr (is_many<T>) {
+      edge = crack.rate(now.root_ratio, piece);
       advance = edge_speed_ * edge.advance;
+      now.inside = (y > T(0)) & (now.root_ratio > T(0)) & ((edge.slowness >= T(0)) | past_fold(now.c));
     } else {
-      edge.slowness = T(1);
-      advance = now.c.rate * y / (root_ratio_gradient(now) * reference_);
+      now.inside = value_of(y) > 0 ? value_of(now.root_ratio) > 0 : closes_up(now.c, piece);
+      if (!now.inside)
+        return;
+      if (piece >= 0) {
+        edge = crack.rate(value_of(y) > 0 ? now.root_ratio : T(-now.root_ratio), piece);
+        advance = edge_speed_ * edge.advance;
+      } else {
+        edge.slowness = T(1);
+        advance = now.c.rate * y / (root_ratio_gradient(now) * reference_);
+      }
+      now.inside = value_of(edge.slowness) >= 0 || past_fold(now.c); // beyond its limit, time would run backwards
     }
     const T delay = edge.slowness * y;
     const T norm = T(1) / sqrt(delay * delay + advance * advance);
     now.slowness = edge.slowness;
-    now.inside = value_of(edge.slowness) >= 0 || past_fold(now.c); // beyond its limit, time would run backwards
     now.clock = delay * norm;
     now.coordinate_rate = reference_ * advance * norm;
   }
 
-  void move_static_edge(instant& now, const state_type& x, [[maybe_unused]] int piece) const {
+  template <class Piece>
+  void move_static_edge(instant& now, const state_type& x, [[maybe_unused]] const Piece& piece) const {
     const T& y = x[coordinate];
-    if constexpr (flows)
+    const basic_pair<reduced<T>>* moving = &pair;
+    if constexpr (flows) {
       now.c.take(pair, this->shape_at(piece == 0 ? x[largest_coordinate] : y));
+      if (piece == 0)
+        moving = &pair_of(now.c);
+    }
     now.c.approach = elastic.load_free_approach(pair_of(now.c), now.c.radius);
-    now.clock = elastic.load_free_slope(flows && piece == 0 ? pair_of(now.c) : pair, now.c.radius);
+    now.clock = elastic.load_free_slope(*moving, now.c.radius);
     if constexpr (root_coordinate)
       now.clock *= T(2) * y;
     if constexpr (adhesive) {

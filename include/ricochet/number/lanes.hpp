@@ -18,6 +18,9 @@ template <class Batch, std::size_t Packs>
 struct lane_mask {
   std::array<typename Batch::batch_bool_type, Packs> packs;
 
+  lane_mask() = default;
+  lane_mask(bool all) { packs.fill(typename Batch::batch_bool_type(all)); }
+
   friend lane_mask operator&(const lane_mask& a, const lane_mask& b) {
     return each([&](std::size_t i) { return a.packs[i] & b.packs[i]; });
   }
@@ -43,9 +46,14 @@ struct lane_mask {
 
   template <class Function> // without a loop, so that packs stay in registers
   static lane_mask each(const Function& f) {
-    return [&]<std::size_t... i>(std::index_sequence<i...>) { return lane_mask{{f(i)...}}; }
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return lane_mask(std::array<typename Batch::batch_bool_type, Packs>{f(i)...});
+    }
     (std::make_index_sequence<Packs>{});
   }
+
+private:
+  explicit lane_mask(const std::array<typename Batch::batch_bool_type, Packs>& each) : packs(each) {}
 };
 
 /// Batch::size times Packs numbers. Arithmetic, sqrt, abs, min, max and cube roots go lane by lane; no lane ever sees
@@ -99,6 +107,9 @@ struct lanes {
     return mask::each([&](std::size_t i) { return a.packs[i] <= b.packs[i]; });
   }
   friend mask operator>=(const lanes& a, const lanes& b) { return b <= a; }
+  friend mask operator==(const lanes& a, const lanes& b) {
+    return mask::each([&](std::size_t i) { return a.packs[i] == b.packs[i]; });
+  }
 
   friend lanes sqrt(const lanes& a) {
     return each([&](std::size_t i) { return xsimd::sqrt(a.packs[i]); });
@@ -154,6 +165,7 @@ struct number_traits<lanes<Batch, Packs>> {
   static constexpr bool inverts_exactly = false;
   static lanes<Batch, Packs> pi() { return number_traits<real>::pi(); }
   static lanes<Batch, Packs> euler_gamma() { return number_traits<real>::euler_gamma(); }
+  static lanes<Batch, Packs> value(const lanes<Batch, Packs>& x) { return x; }
 };
 
 /// Both sides are evaluated and blended, lane by lane.
