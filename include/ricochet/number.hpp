@@ -22,6 +22,7 @@ using std::cos;
 using std::exp;
 using std::isfinite;
 using std::log;
+using std::log1p;
 using std::max;
 using std::min;
 using std::pow;

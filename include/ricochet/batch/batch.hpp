@@ -1,6 +1,7 @@
 // Many collisions at once: side by side in the lanes of SIMD registers, on as many threads as wanted.
 #pragma once
 #include <ricochet/batch/lane_solver.hpp>
+#include <ricochet/batch/tabulated_lanes.hpp>
 
 #include <atomic>
 #include <exception>
@@ -175,6 +176,15 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
       part.solve(
           last - first, options.tolerance, [&](std::size_t i) -> decltype(auto) { return scene_of(first + i); },
           [&](std::size_t i) { return integrate(scene_of(first + i).model, scene_of(first + i).impact, alone); },
+          outcomes.data() + first);
+    });
+  else if constexpr (closed_form::tabulated<Model> && !Model::asked.warnings)
+    share(count, 1024, options, [&](std::size_t first, std::size_t last) {
+      solve_tabulated<batch_lanes, Model>(
+          last - first, [&](std::size_t i) -> decltype(auto) { return scene_of(first + i); },
+          [&](std::size_t i) {
+            return ricochet::collide(scene_of(first + i).model, scene_of(first + i).impact, alone);
+          },
           outcomes.data() + first);
     });
   else // closed forms take no longer than handing out a part of the work

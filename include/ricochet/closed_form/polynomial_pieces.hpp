@@ -1,7 +1,8 @@
 #pragma once
+#include <ricochet/number.hpp>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace ricochet::closed_form::detail {
@@ -17,8 +18,15 @@ struct polynomial_pieces {
   double pieces_per_position; ///< Pieces over the position of `last`
   std::array<std::array<double, Terms>, Pieces> coefficients{};
 
-  double operator()(double y) const {
-    const double place = std::log1p(in_roots ? std::sqrt(y) : y) * pieces_per_position;
+  double operator()(double y) const { return at(place(y)); }
+
+  /// Where y lies on the pieces: piece 0 from 0 to 1, and so on.
+  template <class T>
+  T place(const T& y) const {
+    return log1p(in_roots ? T(sqrt(y)) : y) * T(pieces_per_position);
+  }
+
+  double at(double place) const {
     const std::size_t piece = std::min(std::size_t(place), Pieces - 1);
     const double x = 2 * (place - double(piece)) - 1, square = x * x;
     const std::array<double, Terms>& c = coefficients[piece];

@@ -12,6 +12,13 @@ inline double weak_damping_slope() {
   return std::sqrt(pi<double>()) * std::tgamma(0.6) / (std::pow(50., 0.2) * std::tgamma(2.1));
 }
 
+/// All in SI.
+template <class T>
+T damping_number(const basic_pair<reduced<T>>& pair, const T& A, const T& v) {
+  const T rho_without_root = T(4) / T(3) * T(pair.reduced_modulus) / T(pair.reduced_mass);
+  return T(1.5) * A * pow(rho_without_root * rho_without_root * pair.reduced_radius * v, T(0.2));
+}
+
 } // namespace detail
 
 /// The one number on which the restitution depends.
@@ -20,11 +27,10 @@ inline double weak_damping_slope() {
 /// Valid without adhesion.
 /// Source: Ramirez et al. 1999; Schwager & Poeschel 2008.
 inline double damping_number(const contact_pair& pair, duration A, speed v) {
-  using boost::units::pow;
   detail::validate(pair, v);
   require("bulk_time", A, non_negative);
-  const auto rho_without_root = 4.0 * pair.reduced_modulus / (3.0 * pair.reduced_mass);
-  return 1.5 * A * boost::units::root<5>(pow<2>(rho_without_root) * pair.reduced_radius * v);
+  return detail::damping_number<double>(
+      {in_si(pair.reduced_modulus), in_si(pair.reduced_radius), in_si(pair.reduced_mass)}, in_si(A), in_si(v));
 }
 
 /// Restitution for weak damping, first order in A.

@@ -56,7 +56,8 @@ private:
   explicit lane_mask(const std::array<typename Batch::batch_bool_type, Packs>& each) : packs(each) {}
 };
 
-/// Batch::size times Packs numbers. Arithmetic, sqrt, abs, min, max and cube roots go lane by lane; no lane ever sees
+/// Batch::size times Packs numbers. Arithmetic, sqrt, abs, min, max, powers, log1p and cube roots go lane by
+/// lane; no lane ever sees
 /// another.
 template <class Batch, std::size_t Packs>
 struct lanes {
@@ -125,6 +126,9 @@ struct lanes {
   }
   friend lanes pow(const lanes& a, const lanes& b) {
     return each([&](std::size_t i) { return xsimd::pow(a.packs[i], b.packs[i]); });
+  }
+  friend lanes log1p(const lanes& a) {
+    return each([&](std::size_t i) { return xsimd::log1p(a.packs[i]); });
   }
   friend lanes cube_root(const lanes& a) {
     return each([&](std::size_t i) { return xsimd::cbrt(a.packs[i]); });
