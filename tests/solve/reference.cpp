@@ -13,8 +13,8 @@ using namespace support;
 
 namespace {
 
-// The two rows with a modulus ratio near one and a slow edge: the reference stops the edge at a finite fraction of its
-// limiting ratio 1/k (see the last test), here the ratio is reached.
+// The two rows with a modulus ratio near one and a slow edge: the reference lets it go at the fold, before it has come
+// to its limiting ratio 1/k (see the last test).
 bool stops_early(const std::map<std::string, std::string>& row) {
   const auto k = row.find("modulus_ratio");
   return k != row.end() && (k->second == "0.9" || k->second == "0.5");
