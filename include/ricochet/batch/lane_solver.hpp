@@ -141,7 +141,7 @@ private:
       staged_.end = Lanes(0);
     staged_.piece = Lanes(0);
     staged_.since = Lanes(infinite);
-    const Lanes potential = m.potential(m.at(staged_.x, staged_.piece).c);
+    const Lanes potential = m.potential(m.contact(staged_.x, staged_.piece));
     staged_.largest_energy = max(max(m.kinetic_energy(v), abs(potential)), m.exit_energy());
   }
 
@@ -176,7 +176,7 @@ private:
     excess_ = m.kinetic_energy(end_rate_);
     mask captured = false;
     if constexpr (pulled) {
-      const part c = m.at(x, now_.piece).c;
+      const part c = m.contact(x, now_.piece);
       const Lanes potential = m.potential(c), left = m.kinetic_energy(c.rate) + potential - m.exit_energy();
       now_.largest_energy = max(now_.largest_energy, abs(potential));
       captured = (left < Lanes(0)) & (now_.has_turned > Lanes(0)) & ~let_go;
@@ -237,7 +237,7 @@ private:
       const Lanes r = m.root_ratio(x), k = m.crack.modulus_ratio;
       const Lanes fall = Lanes(2) * k * r * m.root_ratio_slope(x, slope), left = Lanes(1) - k * r * r;
       return {where((now_.piece > Lanes(0)) & (fall > Lanes(0)), part_of(left / fall), Lanes(infinite)),
-              m.past_fold(m.at(x, now_.piece).c) & outward};
+              m.past_fold(m.contact(x, now_.piece)) & outward};
     } else {
       return {where(outward, time_to_end(x, slope), Lanes(infinite)), true};
     }
@@ -293,7 +293,7 @@ private:
   Lanes time_to_zero_force(const state_type& x, const state_type& slope) const requires ends_without_force {
     const reduced_type& m = now_.model;
     const auto value = [&m, this](const state_type& at) {
-      const part c = m.at(at, now_.piece).c;
+      const part c = m.contact(at, now_.piece);
       return m.elastic.force(m.pair, c) / m.damping.coefficient(m.pair, c) + c.rate;
     };
     const Lanes apart = Lanes(1e-7) * now_.longest;

@@ -78,25 +78,45 @@ public:
   template <class Piece>
   instant at(const state_type& x, const Piece& piece) const {
     instant now{};
-    const T& y = x[coordinate];
-    now.c.rate = x[approach_rate];
-    if constexpr (cohesive) {
-      now.clock = laws::place(now.c, y, piece == 1);
-      now.coordinate_rate = now.c.rate;
-      now.inside = value_of(now.c.cohesive_radius) > 0 && value_of(now.c.radius) > -value_of(now.c.cohesive_radius) / 2;
-      return now;
-    }
-    now.c.radius = laws::radius_at(y);
-    if constexpr (root_coordinate)
-      now.c.root_radius = y;
-    else // no law has declared that it uses it: who does all the same, shall notice
-      now.c.root_radius = T(std::numeric_limits<real_of<T>>::quiet_NaN());
     now.inside = true;
-    if constexpr (free_edge)
-      move_free_edge(now, x, piece);
-    else
-      move_static_edge(now, x, piece);
+    if constexpr (cohesive) {
+      now.clock = laws::place(now.c, x[coordinate], piece == 1);
+      now.c.rate = now.coordinate_rate = x[approach_rate];
+      now.inside = value_of(now.c.cohesive_radius) > 0 && value_of(now.c.radius) > -value_of(now.c.cohesive_radius) / 2;
+    } else {
+      now.c = contact(x, piece);
+      if constexpr (free_edge)
+        move_free_edge(now, x, piece);
+      else
+        move_static_edge(now, x, piece);
+    }
     return now;
+  }
+
+  /// The contact without its motion.
+  template <class Piece>
+  part contact(const state_type& x, [[maybe_unused]] const Piece& piece) const {
+    part c{};
+    const T& y = x[coordinate];
+    c.rate = x[approach_rate];
+    if constexpr (cohesive) {
+      laws::place(c, y, piece == 1);
+      return c;
+    }
+    c.radius = laws::radius_at(y);
+    if constexpr (root_coordinate)
+      c.root_radius = y;
+    else // no law has declared that it uses it: who does all the same, shall notice
+      c.root_radius = T(std::numeric_limits<real_of<T>>::quiet_NaN());
+    if constexpr (flows)
+      c.take(pair, this->shape_at(piece == 0 ? x[largest_coordinate] : y));
+    if constexpr (free_edge)
+      c.approach = x[mutual_approach];
+    else
+      c.approach = elastic.load_free_approach(pair_of(c), c.radius);
+    if constexpr (adhesive && !free_edge)
+      c.approach -= flattening_ * y;
+    return c;
   }
 
   /// The `piece` of an edge held at joint j.
@@ -212,7 +232,6 @@ private:
   template <class Piece>
   void move_free_edge(instant& now, const state_type& x, const Piece& piece) const {
     const T& y = x[coordinate];
-    now.c.approach = x[mutual_approach];
     now.root_ratio = root_ratio(x);
     edge_rate<T> edge{};
     T advance; // y dy/dt times the slowness, over the reference
@@ -241,20 +260,15 @@ private:
   }
 
   template <class Piece>
-  void move_static_edge(instant& now, const state_type& x, [[maybe_unused]] const Piece& piece) const {
-    const T& y = x[coordinate];
+  void move_static_edge(instant& now, [[maybe_unused]] const state_type& x, [[maybe_unused]] const Piece& piece) const {
     const basic_pair<reduced<T>>* moving = &pair;
-    if constexpr (flows) {
-      now.c.take(pair, this->shape_at(piece == 0 ? x[largest_coordinate] : y));
+    if constexpr (flows)
       if (piece == 0)
         moving = &pair_of(now.c);
-    }
-    now.c.approach = elastic.load_free_approach(pair_of(now.c), now.c.radius);
     now.clock = elastic.load_free_slope(*moving, now.c.radius);
     if constexpr (root_coordinate)
-      now.clock *= T(2) * y;
+      now.clock *= T(2) * x[coordinate];
     if constexpr (adhesive) {
-      now.c.approach -= flattening_ * y;
       now.clock -= flattening_;
       now.root_ratio = T(1);
     }

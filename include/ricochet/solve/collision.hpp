@@ -81,7 +81,7 @@ public:
   const real& largest_energy() const { return ledger_.largest(); }
 
 private:
-  typename Reduced::part now(const state_type& x) const { return model_.at(x, flow_.piece).c; }
+  typename Reduced::part now(const state_type& x) const { return model_.contact(x, flow_.piece); }
 
   void touched(state_type& x) {
     flow_.piece = model_.first_piece();

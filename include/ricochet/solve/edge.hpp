@@ -83,7 +83,7 @@ public:
   /// fold, on the way out.
   bool may_let_go(const state_type& x, int piece) const {
     if constexpr (Reduced::free_edge)
-      return std::size_t(piece) == joints.size() && model_.past_fold(model_.at(x, piece).c);
+      return std::size_t(piece) == joints.size() && model_.past_fold(model_.contact(x, piece));
     else
       return value_of(x[approach_rate]) < real(0);
   }

@@ -78,7 +78,7 @@ public:
       break;
     case event::rolling:
       if constexpr (Reduced::peels) // where it begins to slide from rest, round-off shall not stop it
-        return direction == 0 ? model_.excess_of_friction(model_.at(x, piece).c, x[surface_speed])
+        return direction == 0 ? model_.excess_of_friction(model_.contact(x, piece), x[surface_speed])
                               : T(T(direction) * x[slip] + T(std::numeric_limits<real>::epsilon()));
       else if constexpr (Reduced::slides)
         return x[slip];

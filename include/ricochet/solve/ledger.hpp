@@ -76,7 +76,7 @@ public:
   void report(Outcome& out, const state_type& x) const {
     if constexpr (Reduced::flows) {
       out.plastic_loss = plastic_loss_at(x) / initial_;
-      out.residual_approach = model_.at(x, 0).c.shape.residual_approach;
+      out.residual_approach = model_.contact(x, 0).shape.residual_approach;
     }
     if constexpr (Reduced::model_type::asked.ledger) {
       const T crack = crack_loss_at(x), bulk = bulk_loss_at(x);

@@ -16,10 +16,10 @@ class observers {
   static constexpr requests asked = Reduced::model_type::asked;
 
   static real radius(const Reduced& model, const state_type& x, int piece) {
-    return value_of(model.at(x, piece).c.radius);
+    return value_of(model.contact(x, piece).radius);
   }
   static real tension(const Reduced& model, const state_type& x, int piece) {
-    return -value_of(model.total_force(model.at(x, piece).c));
+    return -value_of(model.total_force(model.contact(x, piece)));
   }
   static real compression(const Reduced& model, const state_type& x, int piece) { return -tension(model, x, piece); }
 
@@ -81,7 +81,7 @@ public:
   /// The contact has let go: one more row, of the bodies apart.
   void let_go(const Reduced& model, const ledger<Reduced>& books, const state_type& x, int piece) {
     if constexpr (asked.trajectory) {
-      auto apart = model.at(x, piece).c;
+      auto apart = model.contact(x, piece);
       apart.radius = apart.root_radius = T(0);
       record_row(model, books, x, apart);
     }
@@ -89,7 +89,7 @@ public:
 
   void turned(const Reduced& model, const state_type& x, int piece) {
     if constexpr (asked.extremes) {
-      const T approach = model.whole_approach(model.at(x, piece).c);
+      const T approach = model.whole_approach(model.contact(x, piece));
       if (value_of(approach) > value_of(parts_.approach))
         parts_.approach = approach;
     }
@@ -109,7 +109,7 @@ public:
 
 private:
   void record(const Reduced& model, const ledger<Reduced>& books, const state_type& x, int piece) {
-    record_row(model, books, x, model.at(x, piece).c);
+    record_row(model, books, x, model.contact(x, piece));
   }
 
   void record_row(const Reduced& model, const ledger<Reduced>& books, const state_type& x,

@@ -64,7 +64,7 @@ public:
       flow(x, slope, real(0));
       for (std::size_t i = 0; i < x.size(); ++i)
         then[i] += soon_ * slope[i];
-      if (!(value_of(model_.excess_of_friction(model_.at(then, flow.piece).c, then[surface_speed])) > 0))
+      if (!(value_of(model_.excess_of_friction(model_.contact(then, flow.piece), then[surface_speed])) > 0))
         flow.direction = value_of(x[surface_speed]) > 0 ? 1 : -1;
     }
   }

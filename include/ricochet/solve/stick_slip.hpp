@@ -105,7 +105,7 @@ public:
     const long parts = 4 * (static_cast<long>(h / (4 * longest_part_)) + 1);
     for (long i = 1; i <= parts; ++i) {
       const state_type now = i == parts ? reached : method.within(flow, x, h * real(i) / real(parts));
-      const auto c = flow.model.at(now, flow.piece).c;
+      const auto c = flow.model.contact(now, flow.piece);
       for (const long coarsening : {0, 1, 2})
         if (i % (1 << coarsening) == 0)
           motions_[2 - std::size_t(coarsening)].advance(c, now[elapsed_time]);
