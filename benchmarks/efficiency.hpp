@@ -9,6 +9,7 @@
 
 namespace efficiency {
 using namespace ricochet;
+using measure::keep;
 using measure::seconds_of;
 
 /// A number that counts the operations it goes through.
@@ -67,12 +68,6 @@ double operations_per_step(const Model& model) {
   system(x, slope, 0);
   pair.do_step(system, x, slope, counted(0), out, counted(0.1), error);
   return double(counted::operations);
-}
-
-/// A result that the compiler must not do without.
-inline void keep(double x) {
-  volatile double kept = x;
-  (void)kept;
 }
 
 /// Floating-point operations a second of fused multiply-adds that do not wait for each other, in the widest registers

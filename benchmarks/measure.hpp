@@ -9,6 +9,12 @@
 
 namespace measure {
 
+/// A result that the compiler must not do without.
+inline void keep(double x) {
+  volatile double kept = x;
+  (void)kept;
+}
+
 /// Seconds this thread has been computing; what others do on the machine does not count.
 inline double thread_seconds() {
   timespec now;
