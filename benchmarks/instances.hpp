@@ -165,7 +165,7 @@ auto viscoelastic_jkr(const std::string& name, std::size_t count, const Edge& ed
 
 inline auto viscoelastic_jkr_fit(std::size_t count) {
   return viscoelastic_jkr(
-      "Hertz + JKR + Greenwood's fit + Kuwabara-Kono", count, [](duration T, length z0, random_numbers&) {
+      "Hertz + JKR + Greenwood fit + Kuwabara-Kono", count, [](duration T, length z0, random_numbers&) {
         return std::pair(greenwood_fit{.relaxation_time = T, .interaction_range = z0}, peer::published_fit{});
       });
 }

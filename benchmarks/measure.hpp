@@ -55,8 +55,9 @@ struct errors {
   std::size_t count = 0;
 
   void add(double error) {
-    largest = std::max(largest, std::isfinite(error) ? std::abs(error) : 1.);
-    sum_of_squares += error * error;
+    const double size = std::isfinite(error) ? std::abs(error) : 1; // what is no number is as wrong as can be
+    largest = std::max(largest, size);
+    sum_of_squares += size * size;
     ++count;
   }
   double rms() const { return std::sqrt(sum_of_squares / double(count)); }
