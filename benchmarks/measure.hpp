@@ -15,19 +15,17 @@ inline void keep(double x) {
   (void)kept;
 }
 
+inline double seconds_by(clockid_t clock) {
+  timespec now;
+  clock_gettime(clock, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
 /// Seconds this thread has been computing; what others do on the machine does not count.
-inline double thread_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
+inline double thread_seconds() { return seconds_by(CLOCK_THREAD_CPUTIME_ID); }
+/// Seconds all threads together have been computing.
+inline double process_seconds() { return seconds_by(CLOCK_PROCESS_CPUTIME_ID); }
 /// Seconds that have passed.
-inline double wall_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
+inline double wall_seconds() { return seconds_by(CLOCK_MONOTONIC); }
 
 template <class Clock, class Work>
 double seconds_of(const Clock& clock, const Work& work) {
@@ -114,5 +112,13 @@ inline void time_all(std::vector<contender>& all, std::size_t count, int rounds,
         who.seconds = std::min(who.seconds, seconds);
       }
 }
+
+/// A figure that was wanted and found.
+struct verdict {
+  std::string name;
+  double figure, goal;
+  bool at_most = false;
+  bool met() const { return at_most ? figure <= goal : figure >= goal; }
+};
 
 } // namespace measure

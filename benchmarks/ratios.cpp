@@ -15,14 +15,7 @@ using contenders::contender;
 
 constexpr std::size_t count = 1000;
 
-/// What was wanted and what was found.
-struct verdict {
-  std::string name;
-  double figure, goal;
-  bool at_most = false;
-  bool met() const { return at_most ? figure <= goal : figure >= goal; }
-};
-std::vector<verdict> verdicts;
+std::vector<measure::verdict> verdicts;
 
 /// Ratios wanted at one error: of the batch against odeint's two ways, of lone collisions against the best of odeint
 /// and against CVODE; zero where none is.
@@ -147,37 +140,13 @@ void compare_discrete_elements() {
     std::printf("LIGGGHTS omitted: liggghts is not installed (Debian package liggghts)\n");
 }
 
-/// Shares of what the machine can do, by laws that are polynomials in ricochet's coordinate.
-template <class Instance>
-void compare_with_machine(const Instance& polynomial) {
-  const auto& scenes = polynomial.scenes;
-  const double peak = efficiency::peak();
-  std::printf("fused multiply-adds: %.1f Gflop/s; a step of %s: %.0f flop\n", 1e-9 * peak, polynomial.name.c_str(),
-              efficiency::operations_per_step(scenes[0].model));
-  for (const double tolerance : {1e-6, 1e-10}) {
-    char at[32];
-    std::snprintf(at, sizeof at, " at %.0e", tolerance);
-    verdicts.push_back(
-        {std::string("share of the SIMD peak") + at, efficiency::share_of_peak(scenes, tolerance, peak), 0.6});
-    verdicts.push_back({std::string("events, time with over without, in lanes") + at,
-                        efficiency::cost_of_events_in_lanes(scenes, tolerance), 1.1, true});
-    verdicts.push_back({std::string("events, time with over without, one by one") + at,
-                        efficiency::cost_of_events(scenes, tolerance), 1.1, true});
-  }
-  const auto lanes = efficiency::lanes_with_uneven_collisions(8000);
-  std::printf("numbers of steps spread %.0f:1\n", lanes.spread);
-  verdicts.push_back({"share of time in which lanes are busy", lanes.busy, 0.85});
-  verdicts.push_back({"gain over lanes in lockstep", lanes.busy / lanes.lockstep, 3});
-}
-
 } // namespace
 
 int main() {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   for (const auto& name : contenders::omitted())
     std::printf("omitted: %s\n", name.c_str());
-  const auto viscous_jkr = instances::viscous_jkr(count);
-  efficiency::two_threads threads(viscous_jkr.scenes);
+  efficiency::two_threads threads;
   compare(instances::viscous_hertz(count), {1e-6, 100, 20, 6, 100}, {1e-10, 150, 50, 10, 100});
   threads.again();
   compare(instances::hunt_crossley_hertz(count), {1e-6, 100, 20, 6, 100}, {1e-10, 150, 50, 10, 100});
@@ -186,14 +155,16 @@ int main() {
   compare(instances::brach_dunn(count), {1e-6, 0, 0, 6, 100}, {1e-10, 0, 0, 10, 100});
   compare(instances::static_jkr(count), {1e-6, 0, 0, 6, 100}, {1e-10, 0, 0, 10, 100});
   threads.again();
-  compare(viscous_jkr, {1e-6, 150, 0, 6, 100}, {1e-10, 150, 0, 10, 100});
-  compare_with_machine(viscous_jkr);
+  compare(instances::viscous_jkr(count), {1e-6, 150, 0, 6, 100}, {1e-10, 150, 0, 10, 100});
+  for (const auto& share : efficiency::of_batches())
+    verdicts.push_back(share);
   compare_discrete_elements();
   threads.again();
   compare(instances::viscoelastic_jkr_fit(count), {1e-6, 80, 0, 6, 100}, {1e-10, 150, 0, 10, 100});
   threads.again();
   compare(instances::viscoelastic_jkr_exact(count), {1e-6, 80, 0, 6, 100}, {1e-10, 150, 0, 10, 100});
   threads.again();
+  std::printf("two threads had %.2f cores at best\n", threads.cores());
   verdicts.push_back({"two threads against one, batch", threads.gain(), 1.9});
 
   std::size_t met = 0;
