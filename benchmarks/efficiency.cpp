@@ -1,5 +1,6 @@
 #include "efficiency.hpp"
 
+#include "counted.hpp"
 #include "instances.hpp"
 
 #include <ricochet/solve/tsitouras_papakostas.hpp>
@@ -9,50 +10,10 @@
 
 namespace efficiency {
 using namespace ricochet;
+using measure::counted;
 using measure::keep;
 using measure::seconds_of;
 
-/// A number that counts the operations it goes through.
-struct counted {
-  static inline long operations = 0;
-  double x = 0;
-  counted() = default;
-  template <class Number>
-  requires std::is_arithmetic_v<Number>
-  constexpr counted(Number value) : x(static_cast<double>(value)) {}
-
-  static counted made(double value) { return ++operations, counted(value); }
-  friend counted operator+(const counted& a, const counted& b) { return counted::made(a.x + b.x); }
-  friend counted operator-(const counted& a, const counted& b) { return counted::made(a.x - b.x); }
-  friend counted operator*(const counted& a, const counted& b) { return counted::made(a.x * b.x); }
-  friend counted operator/(const counted& a, const counted& b) { return counted::made(a.x / b.x); }
-  friend counted operator-(const counted& a) { return counted::made(-a.x); }
-  friend counted sqrt(const counted& a) { return counted::made(std::sqrt(a.x)); }
-  friend counted pow(const counted& a, const counted& b) { return counted::made(std::pow(a.x, b.x)); }
-  friend counted max(const counted& a, const counted& b) { return counted::made(std::max(a.x, b.x)); }
-  counted& operator+=(const counted& b) { return *this = *this + b; }
-  counted& operator-=(const counted& b) { return *this = *this - b; }
-  counted& operator*=(const counted& b) { return *this = *this * b; }
-  friend bool operator<(const counted& a, const counted& b) { return a.x < b.x; }
-  friend bool operator>(const counted& a, const counted& b) { return a.x > b.x; }
-  friend bool operator<=(const counted& a, const counted& b) { return a.x <= b.x; }
-};
-
-} // namespace efficiency
-
-template <>
-struct ricochet::number_traits<efficiency::counted> {
-  using real = double;
-  static constexpr bool inverts_exactly = false;
-  static efficiency::counted pi() { return std::numbers::pi; }
-  static double value(const efficiency::counted& a) { return a.x; }
-};
-template <>
-struct ricochet::constant_traits<efficiency::counted> {
-  using type = divisor<efficiency::counted>;
-};
-
-namespace efficiency {
 namespace {
 using table = stepper::tsitouras_papakostas75_table;
 
