@@ -103,12 +103,18 @@ private:
     return e;
   }
 
+  /// Of the computing alone where the code says which share that was (LAMMPS), else by the clock on the wall.
   double first_loop_time() const {
     std::ifstream log(directory_ / "log");
+    double seconds = 0;
     for (std::string line; std::getline(log, line);)
-      if (double seconds; std::sscanf(line.c_str(), "Loop time of %lf", &seconds) == 1)
-        return seconds;
-    return 0;
+      if (seconds == 0)
+        std::sscanf(line.c_str(), "Loop time of %lf", &seconds);
+      else if (line.find("% CPU use") != std::string::npos)
+        return seconds * std::atof(line.c_str()) / 100;
+      else if (line.starts_with("Loop time"))
+        break;
+    return seconds;
   }
 
   pairs_of_spheres pairs_;

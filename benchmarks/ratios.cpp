@@ -86,7 +86,7 @@ void compare_pairs(const std::string& name, const std::vector<scene<Model>>& kin
   for (const auto& [steps, goal] : {std::pair{50., 100.}, std::pair{1000., 1000.}}) {
     double theirs = 1e300, ours = 1e300;
     measure::errors error;
-    for (int round = 0; round < 3; ++round) {
+    for (int round = 0; round < 5; ++round) {
       const auto found = run(steps);
       if (found.restitution.size() != scenes.size()) {
         std::printf("%s omitted: its run failed\n", name.c_str());
