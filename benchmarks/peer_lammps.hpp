@@ -26,7 +26,7 @@ struct pairs_of_spheres {
   }
 };
 
-/// Restitution of each pair, and seconds for as many steps as a Hertzian contact takes.
+/// Restitution of each pair, and seconds on the wall for as many steps as a Hertzian contact takes.
 struct discrete_elements_result {
   std::vector<double> restitution;
   double seconds = 0;
@@ -103,18 +103,12 @@ private:
     return e;
   }
 
-  /// Of the computing alone where the code says which share that was (LAMMPS), else by the clock on the wall.
   double first_loop_time() const {
     std::ifstream log(directory_ / "log");
-    double seconds = 0;
     for (std::string line; std::getline(log, line);)
-      if (seconds == 0)
-        std::sscanf(line.c_str(), "Loop time of %lf", &seconds);
-      else if (line.find("% CPU use") != std::string::npos)
-        return seconds * std::atof(line.c_str()) / 100;
-      else if (line.starts_with("Loop time"))
-        break;
-    return seconds;
+      if (double seconds; std::sscanf(line.c_str(), "Loop time of %lf", &seconds) == 1)
+        return seconds;
+    return 0;
   }
 
   pairs_of_spheres pairs_;
