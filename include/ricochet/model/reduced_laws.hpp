@@ -116,7 +116,14 @@ public:
   }
 
   /// Force between the bodies, > 0 repulsive.
-  T total_force(const part& c) const { return static_force(c) + damping_force(c) + rebound_force(c); }
+  T total_force(const part& c) const {
+    T force = static_force(c);
+    if constexpr (damped) // not even a term of zero where there is no law: x + 0. may not be left out
+      force += damping_force(c);
+    if constexpr (opposes_rebound)
+      force += rebound_force(c);
+    return force;
+  }
 
   T kinetic_energy(const T& rate) const { return pair.reduced_mass * rate * rate / T(2); }
 

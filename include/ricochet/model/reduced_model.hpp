@@ -146,16 +146,14 @@ public:
     if constexpr (!is_many<T>)
       if (!now.inside)
         return false;
-    const T damping_now = this->damping_force(now.c);
     dx[coordinate] = now.coordinate_rate;
-    const T rebound_now = this->rebound_force(now.c);
-    dx[approach_rate] = -(this->static_force(now.c) + damping_now + rebound_now) * now.clock / pair.reduced_mass;
+    dx[approach_rate] = -this->total_force(now.c) * now.clock / pair.reduced_mass;
     if constexpr (free_edge)
       dx[mutual_approach] = now.c.rate * now.clock;
     if constexpr (keeps_time)
       dx[elapsed_time] = now.clock;
     if constexpr (Model::asked.ledger && damped)
-      dx[bulk_loss] = damping_now * now.c.rate * now.clock;
+      dx[bulk_loss] = this->damping_force(now.c) * now.c.rate * now.clock;
     if constexpr (Model::asked.ledger && free_edge) { // [K (C.2)] with da = 2y dy, finite at y = 0 too
       const T& y = x[coordinate];
       const T open = opened(x);
@@ -169,7 +167,7 @@ public:
     if constexpr (slides)
       laws::slide(now.c, x, dx, now.clock, direction);
     if constexpr (Model::asked.ledger && laws::opposes_rebound)
-      dx[crack_loss] = rebound_now * now.c.rate * now.clock;
+      dx[crack_loss] = this->rebound_force(now.c) * now.c.rate * now.clock;
     return now.inside;
   }
 
