@@ -13,7 +13,7 @@ class lane_greenwood_table {
   using bits = xsimd::batch<std::int64_t, typename Batch::arch_type>;
   using polynomial = greenwood_curve::polynomial;
   static constexpr int to_piece = greenwood_curve::mantissa_bits - greenwood_curve::piece_bits;
-  static_assert(sizeof(polynomial) == 12 * sizeof(double));
+  static_assert(sizeof(polynomial) == 8 * sizeof(double));
 
 public:
   void put(std::size_t lane, const greenwood_table& table) {
@@ -41,7 +41,7 @@ private:
       const auto address = [](const double& x) { return std::int64_t(reinterpret_cast<std::intptr_t>(&x)); };
       const std::int64_t first = std::int64_t(std::bit_cast<std::uint64_t>(from.unit()) >> to_piece);
       const std::int64_t distance =
-          (address(from.polynomials()[0][0]) - address(here)) / std::int64_t(sizeof(double)) - first * 12;
+          (address(from.polynomials()[0][0]) - address(here)) / std::int64_t(sizeof(double)) - first * 8;
       unit.put(lane, from.unit());
       place.put(lane, std::bit_cast<double>(distance));
     }
@@ -55,7 +55,7 @@ private:
     const bits shrunk = bits(std::int64_t(2 * 1023 + greenwood_curve::piece_bits + 1)) - exponent;
     const Batch per_half = xsimd::bitwise_cast<Batch>(bits(shrunk << greenwood_curve::mantissa_bits));
     const Batch t = (clamped - (start - unit)) * per_half - Batch(1.), square = t * t;
-    const bits at = place + (number_of_piece << 3) + (number_of_piece << 2);
+    const bits at = place + (number_of_piece << 3);
     const auto power = [&](std::int64_t j) { return Batch::gather(&here, at + bits(j)); };
     constexpr int degree = greenwood_curve::degree;
     Batch even = power(degree - 1), odd = power(degree);

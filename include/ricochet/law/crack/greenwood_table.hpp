@@ -6,28 +6,37 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace ricochet {
 
-/// A function of Q >= 0 that is smooth on a logarithmic scale, as polynomials on the quarters of the octaves of Q + Q0:
-/// which one is read off the bits of the number, without a logarithm. Below 0 its value at 0 is continued: the law's
-/// slowness, Q times this, then runs on linearly.
+/// A function of Q >= 0 that is smooth on a logarithmic scale, as polynomials on the sixteenths of the octaves of
+/// Q + Q0: which one is read off the bits of the number, without a logarithm. Below 0 its value at 0 is continued: the
+/// law's slowness, Q times this, then runs on linearly.
 class greenwood_curve {
 public:
-  static constexpr int degree = 11;
+  static constexpr int degree = 7;
   static constexpr double last = 1e15; ///< Q of the last point; beyond it the edge stands still to round-off
 
   /// \param unit Q0, rounded down to a power of two. `shape(Q)` is called with ascending Q > 0 in long double.
   template <class Shape>
   greenwood_curve(double unit, Shape shape) : unit_(std::exp2(std::floor(std::log2(unit)))) {
-    const std::size_t pieces = number_of(last + unit_) - number_of(unit_) + 1;
-    coefficients_.resize(pieces);
+    // The function is dear: it is interpolated on quarters of the octaves, and what comes of it on the pieces.
+    constexpr int pieces_in_quarter = 1 << (piece_bits - 2);
+    const std::size_t quarters = number_of(last + unit_) / pieces_in_quarter - number_of(unit_) / pieces_in_quarter + 1;
+    coefficients_.reserve(quarters * pieces_in_quarter);
     double start = unit_;
-    for (polynomial& piece : coefficients_) {
-      const double half = 1 / per_half_piece(start);
-      piece =
-          interpolate([&](long double t) { return shape(static_cast<long double>(start - unit_) + (1 + t) * half); });
+    for (std::size_t i = 0; i < quarters; ++i) {
+      const double half = pieces_in_quarter / per_half_piece(start);
+      const auto quarter = interpolate<11>(
+          [&](long double t) { return shape(static_cast<long double>(start - unit_) + (1 + t) * half); });
+      for (int part = 0; part < pieces_in_quarter; ++part)
+        coefficients_.push_back(rounded(interpolate<degree>([&](long double t) {
+          const long double at = (2 * part + 1 + t) / pieces_in_quarter - 1;
+          return std::accumulate(quarter.rbegin(), quarter.rend(), 0.0L,
+                                 [at](long double sum, long double c) { return sum * at + c; });
+        })));
       start += 2 * half;
     }
   }
@@ -55,7 +64,7 @@ public:
   }
 
   using polynomial = std::array<double, degree + 1>; ///< powers of t in [-1, 1]
-  static constexpr int mantissa_bits = 52, piece_bits = 2;
+  static constexpr int mantissa_bits = 52, piece_bits = 4;
 
   double unit() const { return unit_; }
   const std::vector<polynomial>& polynomials() const { return coefficients_; }
@@ -67,7 +76,7 @@ private:
   static std::size_t number_of(double x) {
     return std::size_t(std::bit_cast<std::uint64_t>(x) >> (mantissa_bits - piece_bits));
   }
-  /// One over half the width of the piece in which x lies: 8 over the power of two below it.
+  /// One over half the width of the piece in which x lies.
   static double per_half_piece(double x) {
     const std::uint64_t exponent = std::bit_cast<std::uint64_t>(x) >> mantissa_bits;
     return std::bit_cast<double>((2 * 1023 + piece_bits + 1 - exponent) << mantissa_bits);
@@ -83,8 +92,8 @@ private:
   }
 
   /// Chebyshev's nodes, ascending, and the powers of t in the polynomial that is one at node i and zero at the others.
+  template <std::size_t n>
   struct interpolation {
-    static constexpr std::size_t n = degree + 1;
     std::array<long double, n> nodes{};
     std::array<std::array<long double, n>, n> powers{};
 
@@ -105,15 +114,18 @@ private:
   };
 
   /// Interpolation in ascending nodes, so that `f` may start from its last result.
-  template <class F>
-  static polynomial interpolate(const F& f) {
-    static const interpolation at;
-    std::array<long double, interpolation::n> c{};
-    for (std::size_t i = 0; i < interpolation::n; ++i) {
+  template <std::size_t Degree, class F>
+  static std::array<long double, Degree + 1> interpolate(const F& f) {
+    static const interpolation<Degree + 1> at;
+    std::array<long double, Degree + 1> c{};
+    for (std::size_t i = 0; i < c.size(); ++i) {
       const long double y = f(at.nodes[i]);
-      for (std::size_t m = 0; m < interpolation::n; ++m)
+      for (std::size_t m = 0; m < c.size(); ++m)
         c[m] += y * at.powers[i][m];
     }
+    return c;
+  }
+  static polynomial rounded(const std::array<long double, degree + 1>& c) {
     polynomial result;
     std::transform(c.begin(), c.end(), result.begin(), [](long double x) { return static_cast<double>(x); });
     return result;
