@@ -515,8 +515,13 @@ power_law "" 0.5 hertz+jkr+maugis_barquins
 check "the power law without its speed" says 'line 2, column reference_speed, value "": blank, but needed by maugis_barquins'
 
 # --- adhesion with a range of its own ---------------------------------------------------------------------------------
-# cohesive MODEL...: ice spheres of a Tabor number of 0.9
-cohesive() { solve --tolerance 1e-9 "${options[@]}" < <(echo "$names,interaction_range,yield_strength"; for model in "$@"; do echo "$(ice $model),1e-8,2e9"; done); }
+# cohesive MODEL...: at this range of adhesion, 5 nm unless given
+range=5e-9
+cohesive() {
+  solve --tolerance 1e-9 "${options[@]}" < <(
+    echo "${names/interaction_range/other},interaction_range,yield_strength"
+    for model in "$@"; do echo "$(ice $model),$range,2e9"; done)
+}
 models=""
 for damping in "" +kuwabara_kono +hunt_crossley +tsuji; do
   models="$models hertz+maugis_dugdale$damping"
@@ -535,7 +540,8 @@ cohesive hertz+maugis_dugdale+coulomb hertz+maugis_dugdale+greenwood
 check "maugis_dugdale, wrong input" all 'status_is 1' \
   'says "line 2, column model, value \"hertz+maugis_dugdale+coulomb\": a contact with a cohesive zone moves along"' \
   'says "line 3, column model, value \"hertz+maugis_dugdale+greenwood\": a crack-velocity law needs an adhesion law"'
-solve < <(echo "$names,interaction_range"; echo "$(ice hertz+maugis_dugdale),1")
+range=1
+cohesive hertz+maugis_dugdale
 check "maugis_dugdale of too long a range" says 'line 2, column interaction_range, value "1": transition_parameter = '
 
 bad "missing needed value" ', column work_of_adhesion, value "": blank, but needed by jkr' "$(with work_of_adhesion "")"

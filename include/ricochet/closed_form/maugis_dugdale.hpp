@@ -1,6 +1,6 @@
 // Adhesion between the limits of JKR and DMT: equilibria and quasi-static impact.
 #pragma once
-#include <ricochet/body/validate.hpp>
+#include <ricochet/closed_form/hertz.hpp>
 #include <ricochet/law/adhesion/maugis_dugdale.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 
