@@ -75,9 +75,11 @@ BOOST_AUTO_TEST_CASE(bulirsch_stoer_with_dense_output) {
   on_smooth_models<stepper::bulirsch_stoer_dense_out>(1e-7);
   on_a_free_edge<stepper::bulirsch_stoer_dense_out>(1e-5, 5);
 }
-BOOST_AUTO_TEST_CASE(rosenbrock4) {
-  on_smooth_models<stepper::rosenbrock4>(1e-6);
-  on_a_free_edge<stepper::rosenbrock4>(1e-6, 5);
+BOOST_AUTO_TEST_CASE(radau_of_orders_five_and_nine) {
+  on_smooth_models<stepper::radau<3>>(1e-6);
+  on_a_free_edge<stepper::radau<3>>(1e-6, 5);
+  on_smooth_models<stepper::radau<5>>(1e-9);
+  on_a_free_edge<stepper::radau<5>>(1e-8, 5);
 }
 BOOST_AUTO_TEST_CASE(any_other_odeint_stepper_plugs_in) {
   agrees<stepper::embedded_of_odeint<boost::numeric::odeint::runge_kutta_dopri5>>(

@@ -74,9 +74,9 @@ public:
 
   /// `piece` of the crack law to be used, or sliding(j) while the edge is held at joint j, where the law jumps and
   /// both sides of the jump push beta back to it; of a flowing law 1 while it flows, else 0; with a cohesive zone 1
-  /// while the surfaces touch, else 0.
+  /// while the surfaces touch, else 0. `least_clock`: see flow.
   template <class Piece>
-  instant at(const state_type& x, const Piece& piece) const {
+  instant at(const state_type& x, const Piece& piece, [[maybe_unused]] real_of<T> least_clock = 0) const {
     instant now{};
     now.inside = true;
     if constexpr (cohesive) {
@@ -86,7 +86,7 @@ public:
     } else {
       now.c = contact(x, piece);
       if constexpr (free_edge)
-        move_free_edge(now, x, piece);
+        move_free_edge(now, x, piece, least_clock);
       else
         move_static_edge(now, x, piece);
     }
@@ -122,8 +122,28 @@ public:
   /// The `piece` of an edge held at joint j.
   static constexpr int sliding(int joint) { return -1 - joint; }
 
+  /// The piece of the crack law in which this sqrt(beta) lies, if only the joint at beta = 1 is between it and `piece`.
+  static int side_of_rest(const T& ratio, int piece) requires free_edge {
+    constexpr auto& joints = decltype(Model::crack)::joints;
+    const std::size_t i = std::size_t(piece);
+    if (i < joints.size() && joints[i] == 1 && value_of(ratio) > 1)
+      return piece + 1;
+    return i > 0 && joints[i - 1] == 1 && value_of(ratio) < 1 ? piece - 1 : piece;
+  }
+
   /// sqrt(beta) of a free edge, without its law.
   T root_ratio(const state_type& x) const requires free_edge { return opened(x) / x[coordinate]; }
+
+  /// The approach at which a free edge of this coordinate has this sqrt(beta).
+  T approach_at(const T& y, const T& ratio) const requires free_edge {
+    return elastic.load_free_approach(pair, T(y * y)) - flattening_ * ratio * y;
+  }
+
+  /// d(delta)/dy of a free edge at constant beta.
+  T approach_gradient(const state_type& x) const requires free_edge {
+    const T& y = x[coordinate];
+    return elastic.load_free_slope(pair, T(y * y)) * T(2) * y - flattening_ * root_ratio(x);
+  }
 
   /// d(sqrt beta)/d(sigma), by the law of this piece.
   T root_ratio_rate(const state_type& x, int piece) const requires free_edge {
@@ -140,9 +160,9 @@ public:
 
   /// dx/d(sigma); false outside the domain. `direction` in which the contact point slides, 0 while it rolls.
   template <class Piece>
-  truth_of<T> derivative(const state_type& x, state_type& dx, const Piece& piece,
-                         [[maybe_unused]] int direction = 0) const {
-    const instant now = at(x, piece);
+  truth_of<T> derivative(const state_type& x, state_type& dx, const Piece& piece, [[maybe_unused]] int direction = 0,
+                         real_of<T> least_clock = 0) const {
+    const instant now = at(x, piece, least_clock);
     if constexpr (!is_many<T>)
       if (!now.inside)
         return false;
@@ -228,7 +248,8 @@ public:
 
 private:
   template <class Piece>
-  void move_free_edge(instant& now, const state_type& x, const Piece& piece) const {
+  void move_free_edge(instant& now, const state_type& x, const Piece& piece,
+                      [[maybe_unused]] real_of<T> least_clock) const {
     const T& y = x[coordinate];
     now.root_ratio = root_ratio(x);
     edge_rate<T> edge{};
@@ -242,7 +263,8 @@ private:
       if (!now.inside)
         return;
       if (piece >= 0) {
-        edge = crack.rate(value_of(y) > 0 ? now.root_ratio : T(-now.root_ratio), piece);
+        const int here = least_clock > 0 ? side_of_rest(now.root_ratio, piece) : piece;
+        edge = crack.rate(value_of(y) > 0 ? now.root_ratio : T(-now.root_ratio), here);
         advance = edge_speed_ * edge.advance;
       } else {
         edge.slowness = T(1);
@@ -255,6 +277,11 @@ private:
     now.slowness = edge.slowness;
     now.clock = delay * norm;
     now.coordinate_rate = reference_ * advance * norm;
+    if constexpr (!is_many<T>)
+      if (least_clock > 0) {
+        now.clock = clock_of_slaved_edge(now, least_clock);
+        now.coordinate_rate = reference_ * advance / delay * now.clock;
+      }
   }
 
   template <class Piece>
@@ -271,6 +298,15 @@ private:
       now.root_ratio = T(1);
     }
     now.coordinate_rate = now.c.rate;
+  }
+
+  /// dt/d(sigma) as it is where the edge keeps to the motion of the bodies, dy/dt = rate/(d delta/dy), so that
+  /// round-off of a much faster law does not enter; smooth and small behind the fold, where d delta/dy < 0.
+  T clock_of_slaved_edge(const instant& now, real_of<T> least_clock) const {
+    const T gradient = root_ratio_gradient(now), speed = now.c.rate / reference_;
+    const T least = T(least_clock) * speed;
+    const T positive = (gradient + sqrt(gradient * gradient + T(4) * least * least)) / T(2);
+    return positive / sqrt(positive * positive + speed * speed);
   }
 
   /// y sqrt(beta)

@@ -1,10 +1,11 @@
 #pragma once
-#include <ricochet/solve/rosenbrock.hpp>
+#include <ricochet/solve/radau.hpp>
 #include <ricochet/solve/tsitouras_papakostas.hpp>
 
 namespace ricochet::stepper {
 
-/// Tsitouras-Papakostas 7(5), and Rosenbrock from where the motion proves stiff on: what collide() takes by itself.
+/// Tsitouras-Papakostas 7(5), and Radau IIA from where the edge proves much faster than the bodies on: what collide()
+/// takes by itself.
 struct automatic {
   static constexpr double usual_error = tsitouras_papakostas75::usual_error;
 
@@ -18,19 +19,22 @@ struct automatic {
     struct none {
       none(const real&, const state_type&) {}
     };
-    using stiff_method = typename std::conditional_t<can_be_stiff, std::type_identity<rosenbrock4::method<Flow>>,
+    using stiff_method = typename std::conditional_t<can_be_stiff, std::type_identity<radau<5>::method<Flow>>,
                                                      std::type_identity<none>>::type;
 
   public:
     method(const real& tolerance, const state_type& typical)
-        : smooth_(tolerance, typical), stiff_(tolerance, typical), worthwhile_(1 / sqrt(tolerance)) {}
+        : smooth_(tolerance, typical), stiff_(tolerance, typical), worthwhile_(12 / sqrt(sqrt(sqrt(tolerance)))),
+          close_(sqrt(tolerance) / 10) {}
 
     attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
       if constexpr (can_be_stiff) {
         if (is_stiff_)
           return stiff_.try_step(f, x, h);
+        f.least_clock = 0;
         const auto result = smooth_.try_step(f, x, h);
-        if (result.accepted && ++steps_ % 10 == 0)
+        if (result.accepted && h * worthwhile_ < 3 &&
+            may_be_stiff(f)) // an explicit method takes longer steps only where nothing is stiff
           watch(f, x, h);
         return result;
       } else {
@@ -42,6 +46,7 @@ struct automatic {
       if constexpr (can_be_stiff)
         if (is_stiff_)
           return stiff_.within(f, x, h);
+      f.least_clock = 0;
       return smooth_.within(f, x, h);
     }
 
@@ -49,35 +54,48 @@ struct automatic {
       smooth_.moved();
       if constexpr (can_be_stiff)
         stiff_.moved();
-      if (hits_ >= 3)
-        is_stiff_ = true;
+      is_stiff_ |= proves_stiff_;
+    }
+
+    /// Does the edge keep to the motion of the bodies, so that its law's kinks hardly show?
+    bool glides() const {
+      if constexpr (can_be_stiff)
+        return is_stiff_ && stiff_.glides();
+      else
+        return false;
     }
 
   private:
-    /// Counts how often in a row the step was near the explicit method's limit of stability while that is so short that
-    /// the implicit method pays.
-    void watch(Flow& f, const state_type& x, const real& h) {
-      const real rate = rate_of_edge(f, x);
-      hits_ = h * rate > 2 && rate > worthwhile_ ? hits_ + 1 : 0;
+    bool may_be_stiff(const Flow& f) {
+      if (!edge_)
+        edge_.emplace(f.model);
+      return edge_->excess() < radau<5>::fast_enough;
     }
 
-    /// Rate at which the edge relaxes, |d(dy/d sigma)/dy|, to some digits.
-    static real rate_of_edge(Flow& f, const state_type& x) {
+    /// Is the edge's relaxation so fast that the implicit method pays, and does it limit the step h? Or will it, since
+    /// the edge has come so close to rest that what is left of its run hardly matters?
+    void watch(Flow& f, const state_type& x, const real& h) {
+      const real clock = f.model.at(x, f.piece).clock, gap = abs(f.model.root_ratio(x) - 1);
+      const real rate = relaxation_rate(f, x, gap);
+      proves_stiff_ = rate > worthwhile_ * cube(clock) && (gap < close_ || h * rate > real(0.2));
+    }
+
+    /// -d(dy/d sigma)/dy, to some digits.
+    static real relaxation_rate(Flow& f, const state_type& x, const real& gap) {
       const auto y = reduced_type::coordinate;
-      const real part = real(1e-7f) * x[y];
+      const real part = min<real>(1e-7, gap / 100) * x[y];
       state_type beside = x, slope{}, slope_beside{};
       beside[y] += part;
       f(x, slope, real(0));
       f(beside, slope_beside, real(0));
-      return abs(slope_beside[y] - slope[y]) / part;
+      return (slope[y] - slope_beside[y]) / part;
     }
 
     smooth_method smooth_;
     [[no_unique_address]] stiff_method stiff_;
-    real worthwhile_;
-    long steps_ = 0;
-    int hits_ = 0;
-    bool is_stiff_ = false;
+    std::optional<fast_edge<reduced_type>> edge_;
+    real worthwhile_, close_;
+    bool proves_stiff_ = false, is_stiff_ = false;
   };
 };
 

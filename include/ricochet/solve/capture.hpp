@@ -1,12 +1,13 @@
 #pragma once
 #include <ricochet/solve/ledger.hpp>
+#include <ricochet/solve/slow_edge.hpp>
 
 #include <vector>
 
 namespace ricochet {
 
 /// The certificate of capture. No law gives energy back, so that a contact with less energy than it has where it lets
-/// go never will.
+/// go never will; and one with more may be held by an edge too slow to open (slow_edge.hpp).
 template <class Reduced>
 class capture {
   using T = typename Reduced::number;
@@ -14,7 +15,7 @@ class capture {
   using part = typename Reduced::part;
 
 public:
-  explicit capture(const Reduced& model) : model_(model) {}
+  explicit capture(const Reduced& model) : model_(model), slow_edge_(model) {}
 
   bool certain() const { return certain_; }
 
@@ -34,8 +35,16 @@ public:
   T look_closely(const part& c, ledger<Reduced>& books) {
     const T left = model_.kinetic_energy(c.rate) + books.meet(c) - model_.exit_energy(c);
     certain_ = Reduced::adhesive || Reduced::attracted ? value_of(left) < real(0) : never_opens(c);
+    if constexpr (Reduced::free_edge)
+      if (!certain_) {
+        held_by_ = slow_edge_.reserve(c, T(left + model_.exit_energy(c)));
+        certain_ = held_by_.has_value();
+      }
     return left;
   }
+
+  /// Energy by which a contact is certain to be held that has more than it would have apart; nothing for others.
+  const std::optional<real>& held_by() const { return held_by_; }
 
   /// To be asked after every step: may this contact be creeping? An overdamped one creeps to its equilibrium without
   /// turning, some even before they have turned once: after many steps, each is to be looked at.
@@ -77,7 +86,9 @@ private:
   }
 
   const Reduced& model_;
+  slow_edge<Reduced> slow_edge_;
   bool certain_ = false;
+  std::optional<real> held_by_;
   long steps_since_look_ = 0;
   std::vector<real> margins_;
 };

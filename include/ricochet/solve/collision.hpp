@@ -69,7 +69,7 @@ public:
   }
 
   /// Energy beyond what the contact has where it lets go: kinetic energy of separated bodies, negative when captured.
-  const T& excess_energy() const { return ledger_.excess(); }
+  T excess_energy() const { return capture_.held_by() ? T(-*capture_.held_by()) : ledger_.excess(); }
   /// Potential energy at the first turning point.
   const T& energy_at_turning() const { return energy_at_turning_; }
   /// Approach rate over the impact's speed where the edge first let go of bodies that were approaching; infinite if
@@ -82,6 +82,13 @@ public:
 
 private:
   typename Reduced::part now(const state_type& x) const { return model_.contact(x, flow_.piece); }
+
+  static bool glides(const method_type& method) {
+    if constexpr (requires { method.glides(); })
+      return method.glides();
+    else
+      return false;
+  }
 
   void touched(state_type& x) {
     flow_.piece = model_.first_piece();
@@ -107,7 +114,9 @@ private:
       h = shorter;
     };
     while (may_go_on(h)) {
-      h = kink.graded(std::min<real>(h, longest_step_), edge_.time_to_rest(x, flow_.piece));
+      h = std::min<real>(h, longest_step_);
+      if (!glides(method))
+        h = kink.graded(h, edge_.time_to_rest(x, flow_.piece));
       const auto tried = method.try_step(flow_, x, h);
       if (!tried.accepted) {
         reject(tried.next);
@@ -127,6 +136,11 @@ private:
         kink.since += tried.taken;
         h = tried.next;
         method.moved();
+        if constexpr (Reduced::free_edge)
+          if (flow_.least_clock > 0) {
+            flow_.piece = model_.side_of_rest(model_.root_ratio(x), flow_.piece);
+            events_.restart(x, approaching_);
+          }
         events_.arm(x);
         if (capture_.may_creep(x[approach_rate], has_turned_, ledger_)) {
           capture_.look_closely(now(x), ledger_);
@@ -140,7 +154,8 @@ private:
       const bool at_kink = which == event::leaving_above   ? edge_.has_kink(flow_.piece, true)
                            : which == event::leaving_below ? edge_.has_kink(flow_.piece, false)
                                                            : false;
-      if (at_kink && found.part > 2 * kink.closest) { // the motion is not smooth there: come closer first
+      if (at_kink && !glides(method) &&
+          found.part > 2 * kink.closest) { // the motion is not smooth there: come closer first
         reject(found.part * 3 / 4);
         continue;
       }

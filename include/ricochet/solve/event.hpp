@@ -168,6 +168,9 @@ public:
     found_event<state_type, real> found{std::nullopt, tried.taken, tried.x, true};
     for (const event which : {event::letting_go, event::zero_force, event::turning, event::leaving_below,
                               event::leaving_above, event::rolling, event::yielding}) {
+      const bool leaving = which == event::leaving_below || which == event::leaving_above;
+      if (leaving && flow_.least_clock > 0) // the step has taken each piece of the law on its own side
+        continue;
       if (!armed_[std::size_t(which)] || value_of(value(which, found.x)) > real(0))
         continue;
       if (!(value_of(value(which, x)) > real(0)))

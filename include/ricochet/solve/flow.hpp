@@ -14,6 +14,7 @@ struct flow {
   const Reduced& model;
   int piece = 0;        ///< of the crack law, or 1 while plastic flow goes on; held during a step: steps are smooth
   int direction = 0;    ///< in which the contact point slides, 0 while it rolls; held likewise
+  real least_clock = 0; ///< > 0: time is slowed as the bodies move the edge, not by its own law, and not below this
   bool outside = false; ///< set when a stage left the domain of the equations; its step has to be rejected
   long evaluations = 0;
 
@@ -27,7 +28,7 @@ struct flow {
 
   void operator()(const state_type& x, state_type& dx, const real&) {
     ++evaluations;
-    if (model.derivative(x, dx, piece, direction))
+    if (model.derivative(x, dx, piece, direction, least_clock))
       return;
     outside = true;
     for (auto& component : dx)

@@ -1,6 +1,6 @@
 // What a method of integration offers to the solver: one step with an estimate of its error, a part of the step tried
 // last, and the size of the next. Made of odeint steppers: ricochet's own (tsitouras_papakostas.hpp,
-// runge_kutta_gill.hpp), odeint's (steppers.hpp); rosenbrock.hpp for stiff motions; stepper::automatic (automatic.hpp)
+// runge_kutta_gill.hpp), odeint's (steppers.hpp); radau.hpp for stiff motions; stepper::automatic (automatic.hpp)
 // is what collide() takes by itself.
 #pragma once
 #include <ricochet/solve/flow.hpp>
