@@ -18,7 +18,7 @@ double rate_after(const Model& model, int steps) {
   typename stepper::radau<stages>::template method<flow<reduced_type>> method(1e-9, numbers.typical());
   auto x = numbers.touch(1.0);
   for (int i = 0; i < steps; ++i) {
-    x = method.try_step(f, x, 1.2 / steps).x;
+    x = method.try_step(f, x, 1.0 / steps).x;
     method.moved();
   }
   return x[approach_rate];
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(steps_are_of_order_five_and_nine) {
     return found;
   };
   BOOST_TEST(std::abs(order(std::integral_constant<int, 3>{}, 16) - 5) < 0.4);
-  BOOST_TEST(std::abs(order(std::integral_constant<int, 5>{}, 4) - 9) < 0.8); // round-off leaves only large steps
+  BOOST_TEST(std::abs(order(std::integral_constant<int, 5>{}, 3) - 9) < 0.9); // round-off leaves only large steps
 }
 
 BOOST_AUTO_TEST_CASE(order_holds_where_the_edge_is_stiff) {

@@ -33,8 +33,7 @@ struct automatic {
           return stiff_.try_step(f, x, h);
         f.least_clock = 0;
         const auto result = smooth_.try_step(f, x, h);
-        if (result.accepted && h * worthwhile_ < 3 &&
-            may_be_stiff(f)) // an explicit method takes longer steps only where nothing is stiff
+        if (result.accepted && h * worthwhile_ < 3) // an explicit method takes longer steps only where nothing is stiff
           watch(f, x, h);
         return result;
       } else {
@@ -66,18 +65,18 @@ struct automatic {
     }
 
   private:
-    bool may_be_stiff(const Flow& f) {
+    /// Is the edge's relaxation so fast that the implicit method pays, and does it limit the step h? Or will it, since
+    /// the edge has come so close to rest that what is left of its run hardly matters? A slow edge is stiff only where
+    /// it hugs the limit of its law, and there only a much faster relaxation is worth a change.
+    void watch(Flow& f, const state_type& x, const real& h) {
       if (!edge_)
         edge_.emplace(f.model);
-      return edge_->excess() < radau<5>::fast_enough;
-    }
-
-    /// Is the edge's relaxation so fast that the implicit method pays, and does it limit the step h? Or will it, since
-    /// the edge has come so close to rest that what is left of its run hardly matters?
-    void watch(Flow& f, const state_type& x, const real& h) {
       const real clock = f.model.at(x, f.piece).clock, gap = abs(f.model.root_ratio(x) - 1);
       const real rate = relaxation_rate(f, x, gap);
-      proves_stiff_ = rate > worthwhile_ * cube(clock) && (gap < close_ || h * rate > real(0.2));
+      if (edge_->excess() < radau<5>::fast_enough)
+        proves_stiff_ = rate > worthwhile_ * cube(clock) && (gap < close_ || h * rate > real(0.2));
+      else
+        proves_stiff_ = rate * close_ > real(0.1) && h * rate > 1;
     }
 
     /// -d(dy/d sigma)/dy, to some digits.

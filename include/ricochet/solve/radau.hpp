@@ -29,6 +29,7 @@ struct radau_table {
   std::array<complex<vector>, spectrum> to_modes;        ///< A^-1 = Re sum of from eigenvalue to
   std::array<complex<Eigen::Matrix<double, 1, stages>>, spectrum> from_modes;
   vector error;                                         ///< weights of the increments in the error estimate
+  vector quadrature_error;                              ///< the same of the slopes of quadratures
   double error_slope;                                   ///< and of the slope at the step's beginning
   Eigen::Matrix<double, stages + 1, stages + 1> powers; ///< of the polynomial through 0 and the nodes
 
@@ -52,6 +53,7 @@ private:
     error_slope = 1 / eigenvalue[0].real();
     vector first = vector::Zero();
     first[0] = -error_slope;
+    quadrature_error = vandermonde.transpose().partialPivLu().solve(first);
     error = inverse.transpose() * vandermonde.transpose().partialPivLu().solve(first);
     Eigen::Matrix<double, stages + 1, stages + 1> values;
     for (int i = 0; i <= stages; ++i)
@@ -162,7 +164,7 @@ struct radau {
         growth_ = 1.5;
         return {false, x, h, h / 3};
       }
-      const real norm = error(f, x, h, z);
+      const real norm = std::max(error(f, x, h, z), quadrature_error_);
       tried_ = {z, roots(f, x, z), h};
       end_ = out;
       tried_well_ = norm <= 1;
@@ -367,11 +369,18 @@ struct radau {
     }
 
     void finish(const state_type& x, const real& h, const increments& z, const std::array<state_type, stages>& slope,
-                state_type& out) const {
+                state_type& out) {
+      quadrature_error_ = 0;
       out = moved_by(x, z.col(stages - 1));
-      for (int j = motion; j < size; ++j)
-        for (int i = 0; i < stages; ++i)
-          out[std::size_t(j)] += h * table_.a(stages - 1, i) * slope[std::size_t(i)][std::size_t(j)];
+      for (std::size_t j = motion; j < std::size_t(size); ++j) {
+        real sum = 0, error = table_.error_slope * slope_[j];
+        for (int i = 0; i < stages; ++i) {
+          sum += table_.a(stages - 1, i) * slope[std::size_t(i)][j];
+          error += table_.quadrature_error[i] * slope[std::size_t(i)][j];
+        }
+        out[j] += h * sum;
+        quadrature_error_ = std::max(quadrature_error_, std::abs(h * error) / (typical_[j] * tolerance_));
+      }
     }
 
     /// Size of the difference to a method of order `stages`, damped where the motion is stiff.
@@ -455,7 +464,7 @@ struct radau {
     }
 
     const table_type& table_ = table_type::get();
-    real growth_ = 5, tolerance_, least_clock_ = 0;
+    real growth_ = 5, quadrature_error_ = 0, tolerance_, least_clock_ = 0;
     state_type typical_, slope_{}, end_{};
     matrix jacobian_, slopes_;                          ///< derivatives by y, rate and delta; by y, rate and sqrt(beta)
     matrix geometry_;                                   ///< of the former by the latter
