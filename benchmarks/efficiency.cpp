@@ -192,7 +192,7 @@ double cost_of_events_in_lanes(const std::vector<scene<Model>>& scenes, double t
   std::vector<scene<Model>> repeated;
   for (std::size_t i = 0; i < 16; ++i)
     repeated.insert(repeated.end(), copies * detail::batch_lanes::size, scenes[i]);
-  const double fine = detail::lane_tolerance(tolerance);
+  const double fine = detail::lane_tolerance<Model>(tolerance);
   const auto seconds = measure::least_seconds(20, {[&] { collide(repeated, {.tolerance = tolerance, .threads = 1}); },
                                                    [&] {
                                                      for (std::size_t i = 0; i < 16; ++i)
