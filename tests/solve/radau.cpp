@@ -15,7 +15,8 @@ double rate_after(const Model& model, int steps) {
   using reduced_type = reduced_model<double, Model>;
   const reduced_type numbers(model, scales_at(model, 8.0 * metres_per_second));
   flow<reduced_type> f{numbers};
-  typename stepper::radau<stages>::template method<flow<reduced_type>> method(1e-9, numbers.typical());
+  typename stepper::radau<stages>::template method<flow<reduced_type>> method(
+      1e-11, numbers.typical()); // Newton's iterations stop a thousandth below
   auto x = numbers.touch(1.0);
   for (int i = 0; i < steps; ++i) {
     x = method.try_step(f, x, 1.0 / steps).x;
@@ -68,11 +69,13 @@ BOOST_AUTO_TEST_CASE(steps_are_of_order_five_and_nine) {
   const auto order = [&](auto stages, int steps) {
     const auto error = [&](int n) { return std::abs(rate_after<stages>(model, n) - exact); };
     const double found = std::log2(error(steps) / error(2 * steps));
-    BOOST_TEST_MESSAGE(stages << " stages: order " << found);
+    BOOST_TEST_MESSAGE(stages << " stages: order " << found << ", error " << error(steps) << " of " << steps
+                              << " steps");
     return found;
   };
   BOOST_TEST(std::abs(order(std::integral_constant<int, 3>{}, 16) - 5) < 0.4);
-  BOOST_TEST(std::abs(order(std::integral_constant<int, 5>{}, 3) - 9) < 0.9); // round-off leaves only large steps
+  BOOST_TEST(std::abs(order(std::integral_constant<int, 5>{}, 6) - 9) <
+             0.5); // the fewest steps that converge leave room above round-off
 }
 
 BOOST_AUTO_TEST_CASE(order_holds_where_the_edge_is_stiff) {

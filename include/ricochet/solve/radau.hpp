@@ -117,7 +117,7 @@ private:
 /// of the linear systems; and while the edge keeps up with the bodies, time is slowed as they move.
 template <int stages>
 struct radau {
-  static constexpr double usual_error = 0.004;
+  static constexpr double usual_error = 0.25;
   static constexpr double fast_enough = 0.05; ///< |beta - 1| of an edge whose law's kink at 1 is not to be stepped onto
 
   template <class Flow>
