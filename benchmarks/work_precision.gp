@@ -17,7 +17,7 @@ array peer_dashes = [1, 2, 3, 1, 2, 4, 3, 1, 1, 1, 2, 1, 2]
 array peer_points = [5, 7, 9, 4, 6, 8, 12, 1, 2, 3, 1, 2, 3]
 array steppers = ['ricochet, automatic', 'ricochet, tsitouras_papakostas75', 'ricochet, fehlberg78', 'ricochet, dopri5', \
   'ricochet, cash_karp54', 'ricochet, runge_kutta4', 'ricochet, runge_kutta_gill', 'ricochet, bulirsch_stoer', \
-  'ricochet, bulirsch_stoer_dense_out', 'ricochet, rosenbrock4']
+  'ricochet, bulirsch_stoer_dense_out', 'ricochet, radau<5>']
 array stepper_colours = [red, red, blue, green, green, grey, grey, pink, pink, orange]
 array stepper_dashes = [1, 2, 1, 1, 2, 1, 2, 1, 2, 1]
 array stepper_points = [5, 7, 4, 6, 8, 1, 2, 3, 1, 2]

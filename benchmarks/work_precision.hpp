@@ -2,7 +2,7 @@
 #pragma once
 #include "contenders.hpp"
 
-#include <ricochet/solve/rosenbrock.hpp>
+#include <ricochet/solve/radau.hpp>
 #include <ricochet/solve/steppers.hpp>
 
 #include <cstdio>
@@ -48,7 +48,7 @@ std::vector<contender> of_steppers(const Instance& all) {
           integrated("runge_kutta_gill", all, stepper::runge_kutta_gill{}),
           integrated("bulirsch_stoer", all, stepper::bulirsch_stoer{}),
           integrated("bulirsch_stoer_dense_out", all, stepper::bulirsch_stoer_dense_out{}),
-          integrated("rosenbrock4", all, stepper::rosenbrock4{})};
+          integrated("radau<5>", all, stepper::radau<5>{})};
 }
 
 template <class Instance>
