@@ -3,6 +3,7 @@
 #include <ricochet/model/regime.hpp>
 #include <ricochet/solve/accuracy.hpp>
 #include <ricochet/solve/automatic.hpp>
+#include <ricochet/solve/fast_edge.hpp>
 #include <ricochet/solve/yielding.hpp>
 
 namespace ricochet {
@@ -15,6 +16,9 @@ struct impact {
   ricochet::speed slip{};
   angular_speed spin{};
 };
+
+template <class Stepper = stepper::automatic, class Model>
+auto integrate(const Model& model, const impact& impact, const collide_options& options = {}, Stepper = {});
 
 namespace detail {
 
@@ -90,6 +94,28 @@ bool edge_is_static(const Model& model) {
   return in_si(model.adhesion.work_of_adhesion) == 0;
 }
 
+/// Outcome with the static edge where one this fast differs from it by less than the tolerance: the closer it is, the
+/// harder to integrate. None if that does not tell the outcome.
+template <class Model, class Stepper>
+std::optional<outcome_of<Model>> with_edge_as_static(const Model& model, const impact& impact,
+                                                     const collide_options& options, Stepper stepper) {
+  const reduced_model<double, Model> numbers(model, scales_at(model, impact.speed));
+  const fast_edge edge(numbers);
+  const double v = reduce<double>(impact.speed, scales_at(model, impact.speed));
+  const double loss = edge.loss(numbers) / numbers.kinetic_energy(v);
+  if (!(edge.lag() < 1e-3 && loss < options.tolerance))
+    return std::nullopt;
+  outcome_of<Model> out = integrate(
+      model.with_static_edge(), impact,
+      {.tolerance = std::max(options.tolerance / 2, tolerance_range.low), .max_evaluations = options.max_evaluations},
+      stepper);
+  if (out.restitution)
+    out.error_estimate += loss / *out.restitution;
+  const bool tells = out.ending_is_certain && out.error_estimate <= options.tolerance &&
+                     !(out.restitution && *out.restitution < 2 * out.error_estimate);
+  return tells ? std::optional(std::move(out)) : std::nullopt;
+}
+
 /// The outcome, with warnings where the model asks for them.
 template <class Model>
 outcome_of<Model> warned(const Model& model, speed v, outcome_of<Model> out) {
@@ -116,8 +142,8 @@ void admit(const impact& impact, const collide_options& options) {
 /// What comes of this impact: ending, restitution and what compose() was asked for, by integration with the given
 /// stepper (solve/stepper.hpp), stepper::automatic unless another is wanted.
 /// \throws bad_input if speed is not positive and finite or the tolerance is outside [1e-12, 1e-1].
-template <class Stepper = stepper::automatic, class Model>
-auto integrate(const Model& model, const impact& impact, const collide_options& options = {}, Stepper = {}) {
+template <class Stepper, class Model>
+auto integrate(const Model& model, const impact& impact, const collide_options& options, Stepper) {
   detail::admit<Model>(impact, options);
   if constexpr (Model::yields)
     return detail::warned(model, impact.speed,
@@ -128,6 +154,9 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
       if (detail::edge_is_static(model))
         return detail::warned<Model>(model, impact.speed,
                                      integrate(model.with_static_edge(), impact, options, Stepper{}));
+    if constexpr (requires { model.crack.relaxation_time; })
+      if (auto out = detail::with_edge_as_static(model, impact, options, Stepper{}))
+        return detail::warned<Model>(model, impact.speed, std::move(*out));
     const scales unit = scales_at(model, impact.speed);
     const reduced_model<double, Model> numbers(model, unit);
     const auto found = detail::solve_to_tolerance<Stepper>(numbers, reduce<double>(impact.speed, unit),

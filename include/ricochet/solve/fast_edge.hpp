@@ -31,6 +31,14 @@ public:
   /// dt/d(sigma) there.
   const real& least_clock() const { return least_clock_; }
 
+  /// Energy that the edge takes beyond a static one, at most: where it lets go, 3.6 to 4.7 pi a_c^2 w lag in
+  /// tests/solve/fast_edge.cpp, and on the way, over contact radii of a collision in its own scales.
+  real loss(const Reduced& model) const {
+    const real w = value_of(T(model.adhesion.work_of_adhesion)), R = value_of(T(model.pair.reduced_radius));
+    const real a = value_of(T(model.adhesion.fold_radius(model.pair)));
+    return pi<real>() * w * (6 * a * a * lag_ + 8 * R * excess_);
+  }
+
 private:
   /// Speed over beta - 1, in units of the law's scale.
   static real mean_slope(const Reduced& model, const real& excess) {
