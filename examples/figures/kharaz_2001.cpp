@@ -23,9 +23,10 @@ struct quantity {
   const char* name;
   const char* unit;
   points measured;
+  points benchmark; ///< the curves of Chung & Ooi 2011, test 4, for this experiment
 };
 /// As digitised by others: the first three in github.com/chaos-polymtl/lethe, examples/dem/3d-oblique-wall-impact; the
-/// last in github.com/KratosMultiphysics/Kratos, benchmark 4 of its DEM tests.
+/// last and the benchmark in github.com/KratosMultiphysics/Kratos, benchmark 4 of its DEM tests.
 const std::vector<quantity> quantities{{"tangential_restitution",
                                         "1",
                                         {{1.84, 0.79344},
@@ -35,7 +36,20 @@ const std::vector<quantity> quantities{{"tangential_restitution",
                                          {30.127, 0.68756},
                                          {39.382, 0.77148},
                                          {49.694, 0.84761},
-                                         {60.02, 0.90142}}},
+                                         {60.02, 0.90142}},
+                                        {{5, 0.94811},
+                                         {10, 0.68699},
+                                         {15, 0.62438},
+                                         {20, 0.61614},
+                                         {25, 0.63427},
+                                         {30, 0.68369},
+                                         {35, 0.73723},
+                                         {40, 0.78089},
+                                         {50, 0.84514},
+                                         {60, 0.89292},
+                                         {70, 0.93163},
+                                         {80, 0.96623},
+                                         {85, 0.98270}}},
                                        {"spin",
                                         "rad/s",
                                         {{6.143, 136.18},
@@ -44,7 +58,20 @@ const std::vector<quantity> quantities{{"tangential_restitution",
                                          {31.157, 612.88},
                                          {39.143, 595.49},
                                          {50.348, 453.21},
-                                         {60.328, 382.09}}},
+                                         {60.328, 382.09}},
+                                        {{5, 19.27},
+                                         {10, 213.0},
+                                         {15, 377.83},
+                                         {20, 510.55},
+                                         {25, 599.39},
+                                         {30, 616.51},
+                                         {35, 582.26},
+                                         {40, 544.80},
+                                         {50, 457.03},
+                                         {60, 357.49},
+                                         {70, 246.18},
+                                         {80, 126.30},
+                                         {85, 63.15}}},
                                        {"rebound_angle",
                                         "deg",
                                         {{0.016, 0.074},
@@ -55,7 +82,8 @@ const std::vector<quantity> quantities{{"tangential_restitution",
                                          {30.29, 21.67},
                                          {39.535, 32.613},
                                          {49.747, 45.125},
-                                         {60.208, 57.474}}},
+                                         {60.208, 57.474}},
+                                        {}},
                                        {"contact_point_angle",
                                         "deg",
                                         {{2.1, 0.77},
@@ -68,7 +96,20 @@ const std::vector<quantity> quantities{{"tangential_restitution",
                                          {59.904, 49.955},
                                          {70.46, 66.903},
                                          {78.86, 78.867},
-                                         {84.782, 85.68}}}};
+                                         {84.782, 85.68}},
+                                        {{5, 3.761},
+                                         {10, -1.556},
+                                         {15, -5.544},
+                                         {20, -7.538},
+                                         {25, -7.538},
+                                         {30, -3.550},
+                                         {35, 3.429},
+                                         {40, 11.571},
+                                         {50, 29.350},
+                                         {60, 47.795},
+                                         {70, 64.577},
+                                         {80, 78.701},
+                                         {85, 84.517}}}};
 
 /// The quantities of the rebound. The damping gives the same restitution at every speed.
 template <class Tangential>
@@ -92,15 +133,18 @@ void kharaz_2001(const std::string& directory) {
       "aluminium oxide sphere (diameter 5e-3 m, E 380e9 Pa, nu 0.23, density 4000 kg/m^3) on glass "
       "(E 72e9 Pa, nu 0.22) at 3.9 m/s, friction 0.092, tsuji's damping of e 0.98; angles from "
       "the normal, > 0 forward";
-  const std::string source = "measured: Kharaz, Gorham & Salman 2001, as digitised for Lethe and Kratos";
+  const std::string source =
+      "measured: Kharaz, Gorham & Salman 2001, as digitised for Lethe and Kratos; benchmark: Chung "
+      "& Ooi 2011, test 4, as digitised for Kratos";
   std::vector<column> curves{{"angle", "deg"}}, residuals = curves;
   for (const quantity& each : quantities) {
     const std::string name = each.name;
     curves.insert(curves.end(), {{name + "_mindlin", each.unit}, {name + "_coulomb", each.unit}});
     residuals.insert(residuals.end(), {{name + "_mindlin", each.unit}, {name + "_coulomb", each.unit}});
   }
-  for (const quantity& each : quantities)
-    curves.push_back({std::string(each.name) + "_measured", each.unit});
+  for (const char* what : {"_measured", "_benchmark"})
+    for (const quantity& each : quantities)
+      curves.push_back({each.name + std::string(what), each.unit});
   sheet out(directory, "kharaz_2001", about + "; " + source, curves);
   sheet differences(directory, "kharaz_2001_residuals", "model less measured; " + about + "; " + source, residuals);
   for (const double angle : even(0.5, 89, 178)) {
@@ -110,19 +154,30 @@ void kharaz_2001(const std::string& directory) {
       row.insert(row.end(), {one[i], other[i]});
     out.row(angle, 1, row);
   }
-  std::printf("  Kharaz et al. 2001, root mean square of model less measured, mindlin and coulomb:\n");
+  std::printf(
+      "  Root mean square of model less Kharaz et al. 2001, and less the benchmark of Chung & Ooi 2011, mindlin "
+      "and coulomb each:\n");
   for (std::size_t i = 0; i < quantities.size(); ++i) {
-    double one_sum = 0, other_sum = 0;
-    for (const auto& [angle, measured] : quantities[i].measured) {
-      const double one = rebound(elastic, angle)[i] - measured, other = rebound(rigid, angle)[i] - measured;
-      out.row(angle, 1 + 2 * quantities.size() + i, {measured});
-      differences.row(angle, 1 + 2 * i, {one, other});
-      one_sum += square(one);
-      other_sum += square(other);
+    std::printf("  %24s", quantities[i].name);
+    std::size_t place = 1 + 2 * quantities.size() + i;
+    for (const points& known : {quantities[i].measured, quantities[i].benchmark}) {
+      double one_sum = 0, other_sum = 0;
+      for (const auto& [angle, value] : known) {
+        const double one = rebound(elastic, angle)[i] - value, other = rebound(rigid, angle)[i] - value;
+        out.row(angle, place, {value});
+        if (place < 1 + 3 * quantities.size()) // of the measurement
+          differences.row(angle, 1 + 2 * i, {one, other});
+        one_sum += square(one);
+        other_sum += square(other);
+      }
+      const auto count = static_cast<double>(known.size());
+      if (known.empty())
+        std::printf(" %8s %8s", "-", "-");
+      else
+        std::printf(" %8.3g %8.3g", std::sqrt(one_sum / count), std::sqrt(other_sum / count));
+      place += quantities.size();
     }
-    const auto count = static_cast<double>(quantities[i].measured.size());
-    std::printf("  %24s %8.3g %8.3g %s\n", quantities[i].name, std::sqrt(one_sum / count), std::sqrt(other_sum / count),
-                quantities[i].unit);
+    std::printf(" %s\n", quantities[i].unit);
   }
   out.finish();
   differences.finish();

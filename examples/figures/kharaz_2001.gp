@@ -23,7 +23,8 @@ do for [format in 'svg png'] {
     plot \
       data using 'angle':(column(name . '_coulomb')) with lines lw 2 dt 2 lc rgb blue title 'coulomb', \
       data using 'angle':(column(name . '_mindlin')) with lines lw 2.5 lc rgb red title 'mindlin', \
-      data using 'angle':(column(name . '_measured')) with points pt 7 ps 0.8 lc rgb '#000000' title 'measured'
+      data using 'angle':(column(name . '_measured')) with points pt 7 ps 0.8 lc rgb '#000000' title 'measured', \
+      data using 'angle':(column(name . '_benchmark')) with points pt 4 ps 0.8 lc rgb '#888888' title 'Chung and Ooi, test 4'
   }
   data = csv('kharaz_2001_residuals')
   set ylabel 'tangential restitution, model less measured'

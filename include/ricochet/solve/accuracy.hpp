@@ -56,7 +56,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     const real first_leg = abs(value_of(fine.energy_at_turning() - coarse.energy_at_turning())) / kinetic;
     const real excess = abs(value_of(fine.excess_energy())) / kinetic;
     // The errors of both solutions vary in sign and size with the tolerance, and now and then are the same by chance.
-    const real of_edge = Reduced::free_edge ? 2 : 1; // one that is about to let go passes its errors on, doubled at most
+    const real of_edge = Reduced::free_edge ? real(1.5f) : real(1); // which decides when it lets go
     const real by_chance =
         of_edge * usual_error * tolerance / (refinement * v) * sqrt(max<real>(1, fine.largest_energy() / kinetic));
     real last_difference = abs(value_of(fine.excess_energy() - coarse.excess_energy()));
