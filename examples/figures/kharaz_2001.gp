@@ -4,7 +4,7 @@ load ARG0[1:strlen(ARG0) - strlen('kharaz_2001.gp')] . 'common.gp'
 quantities = 'tangential_restitution spin contact_point_angle'
 labels = "'tangential restitution' 'spin (rad/s)' 'rebound of the contact point (degrees)'"
 lows = '0.5 0 -20'
-highs = '1 700 90'
+highs = '1 900 90'
 places = "'bottom right' 'top right' 'top left'"
 
 do for [format in 'svg png'] {
