@@ -56,7 +56,8 @@ private:
     const Batch per_half = xsimd::bitwise_cast<Batch>(bits(shrunk << greenwood_curve::mantissa_bits));
     const Batch t = (clamped - (start - unit)) * per_half - Batch(1.), square = t * t;
     const bits at = place + (number_of_piece << 3);
-    const auto power = [&](std::int64_t j) { return Batch::gather(&here, at + bits(j)); };
+    const double* const from = origin();
+    const auto power = [&](std::int64_t j) { return Batch::gather(from, at + bits(j)); };
     constexpr int degree = greenwood_curve::degree;
     Batch even = power(degree - 1), odd = power(degree);
     for (int j = degree - 1; j >= 2; j -= 2) {
@@ -67,6 +68,8 @@ private:
   }
 
   static constexpr double here = 0;
+  /// Not inlined, lest it be taken for all there is to be read.
+  [[gnu::noinline]] static const double* origin() { return &here; }
   curve closing_, opening_;
 };
 
