@@ -34,3 +34,27 @@ BOOST_AUTO_TEST_CASE(the_excess_is_that_of_an_edge_that_keeps_to_the_static_one)
     }
   }
 }
+
+BOOST_AUTO_TEST_CASE(the_loss_is_bounded_and_the_bound_is_no_more_than_twice_as_large) {
+  scenes random(3);
+  for (int i = 0; i < 6; ++i) {
+    const auto s = random.next();
+    const auto table = std::make_shared<const greenwood_table>(s.modulus_ratio);
+    for (const double times : {1e-6, 1e-8, 1e-10}) {
+      const auto model =
+          static_jkr(s, greenwood{times * s.relaxation_time, s.modulus_ratio, s.interaction_range, 1.01, table});
+      const scales unit = scales_at(model, s.speed);
+      const reduced_model<double, decltype(model)> numbers(model, unit);
+      const fast_edge edge(numbers);
+      if (edge.lag() > 1e-3) // as collide() asks for
+        continue;
+      const double kinetic = numbers.kinetic_energy(reduce<double>(s.speed, unit));
+      const double e = *integrate(model, impact{s.speed}, {.tolerance = 1e-12}).restitution;
+      const double of_static = *integrate(model.with_static_edge(), impact{s.speed}, {.tolerance = 1e-12}).restitution;
+      const double taken = (of_static - e) * (of_static + e), bound = edge.loss(numbers) / kinetic;
+      BOOST_TEST_MESSAGE("lag " << edge.lag() << ": takes " << taken / bound << " of the bound");
+      BOOST_TEST(taken < bound);
+      BOOST_TEST(taken > 0.5 * bound);
+    }
+  }
+}

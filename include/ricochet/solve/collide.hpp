@@ -154,7 +154,7 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
       if (detail::edge_is_static(model))
         return detail::warned<Model>(model, impact.speed,
                                      integrate(model.with_static_edge(), impact, options, Stepper{}));
-    if constexpr (requires { model.crack.relaxation_time; })
+    if constexpr (requires { model.crack.relaxation_time; } && !Model::has_friction) // of the slip it tells no error
       if (auto out = detail::with_edge_as_static(model, impact, options, Stepper{}))
         return detail::warned<Model>(model, impact.speed, std::move(*out));
     const scales unit = scales_at(model, impact.speed);

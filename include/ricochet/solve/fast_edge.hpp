@@ -31,8 +31,8 @@ public:
   /// dt/d(sigma) there.
   const real& least_clock() const { return least_clock_; }
 
-  /// Energy that the edge takes beyond a static one, at most: where it lets go, 3.6 to 4.7 pi a_c^2 w lag in
-  /// tests/solve/fast_edge.cpp, and on the way, over contact radii of a collision in its own scales.
+  /// Energy that the edge takes beyond a static one, at most; w: work of adhesion. Where it lets go 6 pi a_c^2 w lag,
+  /// of which it takes three fifths in tests/solve/fast_edge.cpp, and on the way over the radii of a collision.
   real loss(const Reduced& model) const {
     const real w = value_of(T(model.adhesion.work_of_adhesion)), R = value_of(T(model.pair.reduced_radius));
     const real a = value_of(T(model.adhesion.fold_radius(model.pair)));
