@@ -142,9 +142,12 @@ void kharaz_2001(const std::string& directory) {
     curves.insert(curves.end(), {{name + "_mindlin", each.unit}, {name + "_coulomb", each.unit}});
     residuals.insert(residuals.end(), {{name + "_mindlin", each.unit}, {name + "_coulomb", each.unit}});
   }
-  for (const char* what : {"_measured", "_benchmark"})
-    for (const quantity& each : quantities)
-      curves.push_back({each.name + std::string(what), each.unit});
+  const std::size_t first_known = curves.size();
+  for (const quantity& each : quantities) {
+    curves.push_back({each.name + std::string("_measured"), each.unit});
+    if (!each.benchmark.empty())
+      curves.push_back({each.name + std::string("_benchmark"), each.unit});
+  }
   sheet out(directory, "kharaz_2001", about + "; " + source, curves);
   sheet differences(directory, "kharaz_2001_residuals", "model less measured; " + about + "; " + source, residuals);
   for (const double angle : even(0.5, 89, 178)) {
@@ -157,25 +160,26 @@ void kharaz_2001(const std::string& directory) {
   std::printf(
       "  Root mean square of model less Kharaz et al. 2001, and less the benchmark of Chung & Ooi 2011, mindlin "
       "and coulomb each:\n");
+  std::size_t place = first_known;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     std::printf("  %24s", quantities[i].name);
-    std::size_t place = 1 + 2 * quantities.size() + i;
-    for (const points& known : {quantities[i].measured, quantities[i].benchmark}) {
+    for (const points* known : {&quantities[i].measured, &quantities[i].benchmark}) {
+      if (known->empty()) {
+        std::printf(" %8s %8s", "-", "-");
+        continue;
+      }
       double one_sum = 0, other_sum = 0;
-      for (const auto& [angle, value] : known) {
+      for (const auto& [angle, value] : *known) {
         const double one = rebound(elastic, angle)[i] - value, other = rebound(rigid, angle)[i] - value;
         out.row(angle, place, {value});
-        if (place < 1 + 3 * quantities.size()) // of the measurement
+        if (known == &quantities[i].measured)
           differences.row(angle, 1 + 2 * i, {one, other});
         one_sum += square(one);
         other_sum += square(other);
       }
-      const auto count = static_cast<double>(known.size());
-      if (known.empty())
-        std::printf(" %8s %8s", "-", "-");
-      else
-        std::printf(" %8.3g %8.3g", std::sqrt(one_sum / count), std::sqrt(other_sum / count));
-      place += quantities.size();
+      const auto count = static_cast<double>(known->size());
+      std::printf(" %8.3g %8.3g", std::sqrt(one_sum / count), std::sqrt(other_sum / count));
+      ++place;
     }
     std::printf(" %s\n", quantities[i].unit);
   }

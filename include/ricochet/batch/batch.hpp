@@ -170,7 +170,7 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
       throw bad_input("impact " + std::to_string(i) + ": " + e.what());
     }
   std::vector<outcome_of<Model>> outcomes(count);
-  if constexpr (runs_in_lanes<Model> && !closed_form::solved<Model>)
+  if constexpr (runs_in_lanes<Model>() && !closed_form::solved<Model>)
     share(count, batch_part<Model>::size, options, [&](std::size_t first, std::size_t last) {
       batch_part<Model> part(scene_of(first).model, options.max_evaluations);
       part.solve(

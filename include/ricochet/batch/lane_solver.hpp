@@ -11,10 +11,11 @@ namespace ricochet {
 /// A model whose collisions can run side by side: all lanes go through the same formulas, an edge of finite speed only
 /// by the exact law, and nothing is asked that has to be watched step by step.
 template <class Model>
-inline constexpr bool runs_in_lanes = (!Model::has_crack_law ||
-                                       std::same_as<decltype(Model::crack), greenwood>)&&!Model::cohesive
-                                      && !Model::has_friction && !Model::yields && !Model::flows && !Model::asked.ledger
-                                      && !Model::asked.duration && !Model::asked.extremes && !Model::asked.trajectory;
+consteval bool runs_in_lanes() {
+  constexpr bool edge = !Model::has_crack_law || std::same_as<decltype(Model::crack), greenwood>;
+  constexpr bool else_smooth = !Model::cohesive && !Model::has_friction && !Model::yields && !Model::flows;
+  return edge && else_smooth && Model::asked.outcome_only();
+}
 
 /// How one solution of a collision ended; energies in units of the initial kinetic energy.
 enum class lane_fate { let_go, captured, set_aside };

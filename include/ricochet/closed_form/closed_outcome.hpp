@@ -16,26 +16,24 @@ namespace ricochet::closed_form {
 namespace detail {
 template <class Model>
 struct is_solved : std::false_type {};
-template <requests Asked>
-inline constexpr bool asks_outcome_only = !Asked.ledger && !Asked.duration && !Asked.extremes && !Asked.trajectory;
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, absent<role::damping>,
                                absent<role::tangential>, absent<role::plasticity>, End, Asked>>
     : std::bool_constant<!Asked.ledger && !Asked.extremes && !Asked.trajectory> {};
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, jkr, absent<role::crack>, absent<role::damping>, absent<role::tangential>,
-                               absent<role::plasticity>, End, Asked>> : std::bool_constant<asks_outcome_only<Asked>> {};
+                               absent<role::plasticity>, End, Asked>> : std::bool_constant<Asked.outcome_only()> {};
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, hunt_crossley,
                                absent<role::tangential>, absent<role::plasticity>, End, Asked>>
-    : std::bool_constant<asks_outcome_only<Asked>> {};
+    : std::bool_constant<Asked.outcome_only()> {};
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, tsuji, absent<role::tangential>,
-                               absent<role::plasticity>, End, Asked>> : std::bool_constant<asks_outcome_only<Asked>> {};
+                               absent<role::plasticity>, End, Asked>> : std::bool_constant<Asked.outcome_only()> {};
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, kuwabara_kono,
                                absent<role::tangential>, absent<role::plasticity>, End, Asked>>
-    : std::bool_constant<asks_outcome_only<Asked>> {};
+    : std::bool_constant<Asked.outcome_only()> {};
 template <class Damping, class End, requests Asked>
 requires(!is_present<Damping> || std::same_as<Damping, linear_dashpot>) //
     struct is_solved<contact_model<linear, absent<role::adhesion>, absent<role::crack>, Damping,

@@ -148,14 +148,12 @@ public:
   /// d(sqrt beta)/d(sigma), by the law of this piece.
   T root_ratio_rate(const state_type& x, int piece) const requires free_edge {
     const instant now = at(x, piece);
-    return (root_ratio_gradient(now) * now.coordinate_rate - now.c.rate * now.clock) / (flattening_ * x[coordinate]);
+    return root_ratio_change(x, now.coordinate_rate, now.c.rate * now.clock);
   }
 
   /// Its like for a given dx/d(sigma).
   T root_ratio_slope(const state_type& x, const state_type& dx) const requires free_edge {
-    const T& y = x[coordinate];
-    const T gradient = T(2) * y * elastic.load_free_slope(pair, T(y * y));
-    return (gradient * dx[coordinate] - dx[mutual_approach]) * per_flattening_ / y - root_ratio(x) * dx[coordinate] / y;
+    return root_ratio_change(x, dx[coordinate], dx[mutual_approach]);
   }
 
   /// dx/d(sigma); false outside the domain. `direction` in which the contact point slides, 0 while it rolls.
@@ -268,7 +266,7 @@ private:
         advance = edge_speed_ * edge.advance;
       } else {
         edge.slowness = T(1);
-        advance = now.c.rate * y / (root_ratio_gradient(now) * reference_);
+        advance = now.c.rate * y / (approach_gradient(x) * reference_);
       }
       now.inside = value_of(edge.slowness) >= 0 || past_fold(now.c); // beyond its limit, time would run backwards
     }
@@ -279,7 +277,7 @@ private:
     now.coordinate_rate = reference_ * advance * norm;
     if constexpr (!is_many<T>)
       if (least_clock > 0) {
-        now.clock = clock_of_slaved_edge(now, least_clock);
+        now.clock = clock_of_slaved_edge(approach_gradient(x), now.c.rate / reference_, least_clock);
         now.coordinate_rate = reference_ * advance / delay * now.clock;
       }
   }
@@ -302,8 +300,7 @@ private:
 
   /// dt/d(sigma) as it is where the edge keeps to the motion of the bodies, dy/dt = rate/(d delta/dy), so that
   /// round-off of a much faster law does not enter; smooth and small behind the fold, where d delta/dy < 0.
-  T clock_of_slaved_edge(const instant& now, real_of<T> least_clock) const {
-    const T gradient = root_ratio_gradient(now), speed = now.c.rate / reference_;
+  static T clock_of_slaved_edge(const T& gradient, const T& speed, real_of<T> least_clock) {
     const T least = T(least_clock) * speed;
     const T positive = (gradient + sqrt(gradient * gradient + T(4) * least * least)) / T(2);
     return positive / sqrt(positive * positive + speed * speed);
@@ -324,9 +321,9 @@ private:
       return false;
   }
 
-  /// d(delta)/dy at constant beta.
-  T root_ratio_gradient(const instant& now) const {
-    return elastic.load_free_slope(pair, now.c.radius) * T(2) * now.c.root_radius - flattening_ * now.root_ratio;
+  /// d(sqrt beta) for changes of y and delta.
+  T root_ratio_change(const state_type& x, const T& of_coordinate, const T& of_approach) const {
+    return (approach_gradient(x) * of_coordinate - of_approach) * per_flattening_ / x[coordinate];
   }
 
   T edge_speed_ = T(0); ///< of y dy/dt, over the reference

@@ -31,6 +31,8 @@ struct regime_warnings {
 /// The requests of a model, as a value that can stand in its type.
 struct requests {
   bool ledger = false, duration = false, extremes = false, trajectory = false, warnings = false;
+  /// Is nothing asked for that has to be watched during the motion?
+  constexpr bool outcome_only() const { return !ledger && !duration && !extremes && !trajectory; }
   friend constexpr bool operator==(const requests&, const requests&) = default;
 };
 
