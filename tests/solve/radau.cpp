@@ -26,43 +26,6 @@ double rate_after(const Model& model, int steps) {
 }
 } // namespace
 
-BOOST_AUTO_TEST_CASE(the_table_of_three_stages_is_that_of_radau5) {
-  // Hairer & Wanner, Solving ODEs II, table IV.5.6 and (IV.8.17)-(IV.8.19)
-  const auto& table = stepper::radau_table<3>::get();
-  const double s = std::sqrt(6.);
-  const double a[3][3] = {{(88 - 7 * s) / 360, (296 - 169 * s) / 1800, (-2 + 3 * s) / 225},
-                          {(296 + 169 * s) / 1800, (88 + 7 * s) / 360, (-2 - 3 * s) / 225},
-                          {(16 - s) / 36, (16 + s) / 36, 1. / 9}};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      BOOST_TEST(std::abs(table.a(i, j) - a[i][j]) < 1e-14);
-  const double gamma = table.error_slope;
-  BOOST_TEST(std::abs(gamma - 1 / (3 + std::cbrt(9.) - std::cbrt(3.))) < 1e-14);
-  BOOST_TEST(std::abs(table.error[0] - gamma / 3 * (-13 - 7 * s)) < 1e-13);
-  BOOST_TEST(std::abs(table.error[1] - gamma / 3 * (-13 + 7 * s)) < 1e-13);
-  BOOST_TEST(std::abs(table.error[2] + gamma / 3) < 1e-13);
-}
-
-BOOST_AUTO_TEST_CASE(collocation_is_exact_for_polynomials) {
-  const auto check = [](const auto& table, int stages) {
-    for (int i = 0; i < stages; ++i)
-      for (int power = 0; power < stages; ++power) {
-        double sum = 0;
-        for (int j = 0; j < stages; ++j)
-          sum += table.a(i, j) * std::pow(table.node[j], power);
-        BOOST_TEST(std::abs(sum - std::pow(table.node[i], power + 1) / (power + 1)) < 1e-13);
-      }
-    for (int power = 0; power < 2 * stages - 1; ++power) { // the last row, to the full order
-      double sum = 0;
-      for (int j = 0; j < stages; ++j)
-        sum += table.a(stages - 1, j) * std::pow(table.node[j], power);
-      BOOST_TEST(std::abs(sum - 1. / (power + 1)) < 1e-13);
-    }
-  };
-  check(stepper::radau_table<3>::get(), 3);
-  check(stepper::radau_table<5>::get(), 5);
-}
-
 BOOST_AUTO_TEST_CASE(steps_are_of_order_five_and_nine) {
   const auto model = compose(ice.pair, hertz{}, ice.adhesive, ice.viscous);
   const double exact = rate_after<5>(model, 64);

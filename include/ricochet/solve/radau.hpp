@@ -6,6 +6,8 @@
 
 #include <optional>
 
+#include <Eigen/LU>
+
 namespace ricochet::stepper {
 
 /// Radau IIA, L-stable and without loss of order where the edge is much faster than the collision: collocation, solved
@@ -200,12 +202,12 @@ struct radau {
     /// A + B A^-1 B, since complex numbers are slow.
     void invert_modes(const real& h) {
       for (std::size_t m = 0; m < inverse_.size(); ++m) {
-        const matrix a = geometry_ * (table_.eigenvalue[m].real() / h) - slopes_;
+        const matrix a = geometry_ * (table_.eigenvalue_real[int(m)] / h) - slopes_;
         if (m == 0) {
           inverse_[m] = {a.inverse(), matrix::Zero()};
           continue;
         }
-        const matrix b = geometry_ * (table_.eigenvalue[m].imag() / h), q = a.inverse() * b, c = a + b * q;
+        const matrix b = geometry_ * (table_.eigenvalue_imaginary[int(m)] / h), q = a.inverse() * b, c = a + b * q;
         inverse_[m].real = c.inverse();
         inverse_[m].imaginary = -q * inverse_[m].real;
       }
@@ -213,12 +215,15 @@ struct radau {
 
     /// Solves (lambda/h - J) for all modes.
     increments solution(const increments& residual) const {
-      increments change = inverse_[0].real * (residual * table_.to_modes[0].real) * table_.from_modes[0].real;
-      for (std::size_t m = 1; m < inverse_.size(); ++m) {
-        const vector real_part = residual * table_.to_modes[m].real,
-                     imaginary = residual * table_.to_modes[m].imaginary;
-        change += (inverse_[m].real * real_part - inverse_[m].imaginary * imaginary) * table_.from_modes[m].real -
-                  (inverse_[m].real * imaginary + inverse_[m].imaginary * real_part) * table_.from_modes[m].imaginary;
+      const auto& to = table_.to_modes;
+      const auto& from = table_.from_modes;
+      increments change = increments::Zero();
+      for (int m = 0; m < int(inverse_.size()); ++m) {
+        const auto& [real_inverse, imaginary_inverse] = inverse_[std::size_t(m)];
+        const vector real_part = residual * to.real.row(m).transpose(),
+                     imaginary_part = residual * to.imaginary.row(m).transpose();
+        change += (real_inverse * real_part - imaginary_inverse * imaginary_part) * from.real.row(m) -
+                  (real_inverse * imaginary_part + imaginary_inverse * real_part) * from.imaginary.row(m);
       }
       return change;
     }
@@ -392,9 +397,9 @@ struct radau {
     const table_type& table_ = table_type::get();
     real growth_ = 5, quadrature_error_ = 0, tolerance_, least_clock_ = 0;
     state_type typical_, slope_{}, end_{};
-    matrix jacobian_, slopes_;                          ///< derivatives by y, rate and delta; by y, rate and sqrt(beta)
-    matrix geometry_;                                   ///< of the former by the latter
-    std::array<inverse, table_type::spectrum> inverse_; ///< one for each mode
+    matrix jacobian_, slopes_;                       ///< derivatives by y, rate and delta; by y, rate and sqrt(beta)
+    matrix geometry_;                                ///< of the former by the latter
+    std::array<inverse, table_type::modes> inverse_; ///< one for each mode
     polynomial tried_, last_;
     std::optional<differentiable_model<std::size_t(motion)>> by_motion_;
     std::optional<differentiable_model<1>> by_approach_;
