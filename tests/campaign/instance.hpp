@@ -1,0 +1,28 @@
+// One composition of laws with one stepper, and what is looked at in each of its collisions.
+#pragma once
+#include "finding.hpp"
+#include "scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace campaign {
+
+struct instance {
+  std::string name; ///< laws joined by +, then the stepper
+  /// \throws ricochet::bad_input where the library refuses the scene.
+  finding (*solve)(const scene&, double tolerance);
+  double (*reference)(const scene&) = nullptr; ///< restitution in long double, 0 when captured; not of all
+};
+
+// The parts of the whole list, each compiled in a file of its name.
+void add_hertzian(std::vector<instance>& all);
+void add_adhesive(std::vector<instance>& all);
+void add_crack_laws(std::vector<instance>& all);
+void add_plastic(std::vector<instance>& all);
+void add_oblique(std::vector<instance>& all);
+void add_steppers(std::vector<instance>& all);
+
+std::vector<instance> all_instances();
+
+} // namespace campaign

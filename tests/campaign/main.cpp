@@ -1,0 +1,257 @@
+// campaign: random collisions of every composition, over all that physics and carelessness can produce; each is to be
+// certified, or to say by itself why it is not. See --help.
+#include "tally.hpp"
+
+#include <ricochet/body/validate.hpp>
+#include <ricochet/version.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+namespace {
+using namespace campaign;
+
+struct arguments {
+  std::uint64_t seed = 1, count = 100'000;
+  unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  long compare_every = 20, reference_every = 2000;
+  std::string only;
+  std::optional<std::uint64_t> scene;
+};
+
+constexpr std::array extents{extent::documented, extent::wide, extent::bad};
+
+/// Of twenty scenes nine are in the documented range, ten in the wide one, and one is bad.
+extent extent_of(std::uint64_t index) {
+  const std::uint64_t place = index % 20;
+  return place < 9 ? extent::documented : place < 19 ? extent::wide : extent::bad;
+}
+
+double e_of(const finding& f) { return f.restitution.value_or(0); }
+
+/// How often the estimate goes into the error beyond what else explains it.
+double over_estimate(const finding& f, double error) {
+  const double excess = error - 1e-12;
+  return excess > 0 ? excess / f.error_estimate : 0;
+}
+
+/// Difference of two restitutions, both of certain endings; infinite where the endings differ.
+double difference(const finding& one, const finding& other) {
+  return one.ending == other.ending ? std::abs(e_of(one) - e_of(other)) : std::numeric_limits<double>::infinity();
+}
+
+struct examination {
+  finding found;
+  verdict is;
+  std::optional<double> error_over_estimate; ///< where there is a better solution to compare with
+};
+
+examination examine(const instance& of, const scene& s, extent from, bool compare, bool refer) {
+  examination result{};
+  finding& f = result.found;
+  try {
+    f = of.solve(s, s.tolerance);
+  } catch (const ricochet::bad_input& refused) {
+    f.reason = refused.what();
+    result.is = verdict::refused;
+    return result;
+  }
+  f.expect(from != extent::bad, "bad input went through");
+  const bool told = f.ended() && f.certain;
+  if (compare && told && s.tolerance >= 1e-10) {
+    const finding finer = of.solve(s, s.tolerance / 100);
+    if (finer.ended() && finer.certain) {
+      result.error_over_estimate = over_estimate(f, difference(f, finer) - finer.error_estimate);
+      f.expect(*result.error_over_estimate <= 1,
+               fmt::format("differs from a finer solution by {:.3g} where the estimate is {:.3g}", difference(f, finer),
+                           f.error_estimate));
+    }
+  }
+  if (refer && of.reference && told) {
+    const double reference = of.reference(s), error = std::abs(e_of(f) - reference);
+    result.error_over_estimate = over_estimate(f, error);
+    f.expect(*result.error_over_estimate <= 1,
+             fmt::format("errs by {:.3g} where the estimate is {:.3g}: {:.17g} is right", error, f.error_estimate,
+                         reference));
+  }
+  result.is = !f.wrong.empty()                           ? verdict::wrong
+              : f.ending == ricochet::ending::unresolved ? verdict::unresolved
+              : f.ending == ricochet::ending::failed     ? verdict::failed
+              : !f.certain                               ? verdict::near
+              : !(f.error_estimate <= s.tolerance)       ? verdict::unmet
+                                                         : verdict::certified;
+  return result;
+}
+
+class run {
+public:
+  run(const arguments& given, const std::vector<instance>& instances)
+      : given_(given), instances_(instances), tallies_(instances.size() * extents.size()) {}
+
+  /// All scenes, on all threads.
+  void all() {
+    std::vector<std::thread> workers;
+    for (unsigned i = 0; i < given_.threads; ++i)
+      workers.emplace_back([this] { work(); });
+    for (std::thread& worker : workers)
+      worker.join();
+    std::fputc('\n', stderr);
+  }
+
+  /// One scene, with all that is known of it.
+  void one(std::uint64_t index) const {
+    const extent from = extent_of(index);
+    const scene s = draw(given_.seed, index, from);
+    const instance& of = instance_of(index);
+    fmt::print("scene {} of seed {}: {}, {}\n{}", index, given_.seed, of.name, name_of(from), s.text());
+    std::fflush(stdout);
+    const examination result = examine(of, s, from, true, true);
+    const finding& f = result.found;
+    fmt::print("{}: {}{}\n", verdict_names[std::size_t(result.is)],
+               result.is == verdict::refused ? f.reason : ricochet::name_of(f.ending),
+               f.wrong.empty() ? "" : ": " + f.wrong);
+    if (result.is != verdict::refused)
+      fmt::print("  restitution {:.17g} +- {:.3g}, ledger residual {:.3g}, {} evaluations{}\n", e_of(f),
+                 f.error_estimate, f.ledger_residual, f.evaluations, f.reason.empty() ? "" : "; " + f.reason);
+  }
+
+  /// Prints what was found; true if nothing is wrong.
+  bool report() const {
+    bool right = true;
+    for (const extent from : extents) {
+      tally sum;
+      for (std::size_t i = 0; i < instances_.size(); ++i)
+        sum.merge(of(i, from));
+      if (sum.total() == 0)
+        continue;
+      fmt::print("\n{}: {} scenes, {:.3g} evaluations each\n", name_of(from), sum.total(),
+                 double(sum.evaluations) / double(sum.total()));
+      for (std::size_t v = 0; v < sum.count.size(); ++v)
+        if (sum.count[v] > 0)
+          fmt::print("  {:20} {:10}  {:.2e}\n", verdict_names[v], sum.count[v],
+                     double(sum.count[v]) / double(sum.total()));
+      fmt::print(
+          "  error over estimate at most {:.3g} (scene {}) in {} comparisons, ledger residual {:.3g} (scene {}), "
+          "evaluations {:.3g} (scene {})\n",
+          sum.largest_error.value, sum.largest_error.index, sum.compared, sum.largest_residual.value,
+          sum.largest_residual.index, sum.most_evaluations.value, sum.most_evaluations.index);
+      for (std::size_t i = 0; i < instances_.size(); ++i)
+        print_trouble(instances_[i], of(i, from));
+      right = right && sum.count[std::size_t(verdict::wrong)] == 0;
+    }
+    return right;
+  }
+
+private:
+  const instance& instance_of(std::uint64_t index) const {
+    return instances_[index / 20 % instances_.size()]; // so that each has all extents
+  }
+  const tally& of(std::size_t instance, extent from) const {
+    return tallies_[instance * extents.size() + std::size_t(from)];
+  }
+
+  void print_trouble(const instance& of, const tally& here) const {
+    const auto share = [&](verdict v) { return double(here.count[std::size_t(v)]) / double(here.total()); };
+    const double trouble = share(verdict::unmet) + share(verdict::unresolved) + share(verdict::failed);
+    if (trouble == 0 && here.reasons.empty())
+      return;
+    fmt::print("  {}: tolerance not met {:.2e}, unresolved {:.2e}, failed {:.2e}\n", of.name, share(verdict::unmet),
+               share(verdict::unresolved), share(verdict::failed));
+    for (const auto& [kind, seen] : here.reasons)
+      fmt::print("    {} x {}: campaign --seed {}{} --scene {}\n", seen.first, kind, given_.seed,
+                 given_.only.empty() ? "" : fmt::format(" --only '{}'", given_.only), seen.second);
+  }
+
+  void work() {
+    constexpr std::uint64_t chunk = 500;
+    std::vector<tally> mine(tallies_.size());
+    for (std::uint64_t first = next_.fetch_add(chunk); first < given_.count; first = next_.fetch_add(chunk)) {
+      const std::uint64_t last = std::min(first + chunk, given_.count);
+      for (std::uint64_t i = first; i < last; ++i) {
+        const extent from = extent_of(i);
+        const auto often = [&](long n) {
+          return n > 0 && (i / 20 / instances_.size() * 20 + i % 20) % std::uint64_t(n) == 0;
+        };
+        const examination result = examine(instance_of(i), draw(given_.seed, i, from), from,
+                                           often(given_.compare_every), often(given_.reference_every));
+        tally& to = mine[i / 20 % instances_.size() * extents.size() + std::size_t(from)];
+        to.add(i, result.is, result.found);
+        if (result.error_over_estimate) {
+          ++to.compared;
+          keep_larger(to.largest_error, {i, *result.error_over_estimate});
+        }
+      }
+      progress(last - first);
+    }
+    const std::lock_guard lock(guard_);
+    for (std::size_t i = 0; i < mine.size(); ++i)
+      tallies_[i].merge(mine[i]);
+  }
+
+  void progress(std::uint64_t scenes) {
+    const std::lock_guard lock(guard_);
+    done_ += scenes;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - told_ < std::chrono::seconds(2) && done_ < given_.count)
+      return;
+    told_ = now;
+    const double elapsed = std::chrono::duration<double>(now - begun_).count();
+    fmt::print(stderr, "\r{} of {} scenes, {:.0f} s, {:.0f} s to go ", done_, given_.count, elapsed,
+               elapsed * double(given_.count - done_) / double(done_));
+  }
+
+  const arguments& given_;
+  const std::vector<instance>& instances_;
+  std::vector<tally> tallies_; ///< by instance and extent
+  std::atomic<std::uint64_t> next_ = 0;
+  std::uint64_t done_ = 0;
+  std::mutex guard_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now(), told_ = begun_;
+};
+
+} // namespace
+
+int main(int argc, char** argv) {
+  arguments given;
+  CLI::App app(
+      "Random collisions of every composition: each is to be certified, or to say why it is not. Exit status 1 "
+      "if any is wrong.");
+  app.add_option("--scenes", given.count, "how many")->capture_default_str();
+  app.add_option("--seed", given.seed, "of the random numbers")->capture_default_str();
+  app.add_option("--threads", given.threads, "at once")->check(CLI::Range(1, 1024))->capture_default_str();
+  app.add_option("--only", given.only, "instances whose name begins so");
+  app.add_option("--compare-every", given.compare_every,
+                 "solve one scene in so many again at a hundredth of the tolerance; 0: none")
+      ->capture_default_str();
+  app.add_option("--reference-every", given.reference_every, "solve one in so many in long double; 0: none")
+      ->capture_default_str();
+  app.add_option("--scene", given.scene, "show this scene alone");
+  CLI11_PARSE(app, argc, argv);
+
+  std::vector<instance> instances = all_instances();
+  std::erase_if(instances, [&](const instance& i) { return !i.name.starts_with(given.only); });
+  if (instances.empty()) {
+    fmt::print(stderr, "campaign: no instance is named {}; there are:\n", given.only);
+    for (const instance& i : all_instances())
+      fmt::print(stderr, "  {}\n", i.name);
+    return 2;
+  }
+  run campaign(given, instances);
+  if (given.scene) {
+    campaign.one(*given.scene);
+    return 0;
+  }
+  campaign.all();
+  fmt::print("ricochet {} campaign: {} scenes of seed {} over {} instances\n", ricochet::version, given.count,
+             given.seed, instances.size());
+  const bool right = campaign.report();
+  fmt::print("\n{}\n", right ? "Nothing is wrong." : "Something is wrong.");
+  return right ? 0 : 1;
+}
