@@ -16,11 +16,10 @@ void tally::add(std::uint64_t index, verdict is, const finding& found) {
   keep_larger(most_evaluations, {index, double(found.evaluations)});
   if (is == verdict::certified)
     keep_larger(largest_residual, {index, std::abs(found.ledger_residual)});
-  if (is == verdict::unresolved || is == verdict::failed || is == verdict::wrong) {
+  if (is != verdict::certified && is != verdict::near && is != verdict::refused) {
     const std::string& said = is == verdict::wrong ? found.wrong : found.reason;
-    // without its numbers, so that like ones are counted together
-    const std::string kind =
-        std::string(verdict_names[std::size_t(is)]) + ": " + said.substr(0, said.find_first_of("-0123456789"));
+    const auto words = said.substr(0, said.find_first_of("-0123456789")); // so that like ones are counted together
+    const std::string kind = verdict_names[std::size_t(is)] + (words.empty() ? "" : ": " + words);
     const auto [place, is_new] = reasons.try_emplace(kind, 0, index);
     ++place->second.first;
     place->second.second = std::min(place->second.second, index);

@@ -156,14 +156,20 @@ public:
     return root_ratio_change(x, dx[coordinate], dx[mutual_approach]);
   }
 
-  /// dx/d(sigma); false outside the domain. `direction` in which the contact point slides, 0 while it rolls.
+  /// By how much an edge that the bodies move at a constant sqrt(beta) is faster than its law has it at this one, times
+  /// d(delta)/dy.
+  T speed_beyond_law(const state_type& x, const T& ratio, int piece) const requires free_edge {
+    const auto edge = crack.rate(ratio, piece);
+    return x[approach_rate] -
+           approach_gradient(x) * reference_ * edge_speed_ * edge.advance / (edge.slowness * x[coordinate]);
+  }
+
+  /// dx/d(sigma); false outside the domain: there the law runs on a little, beyond which nothing moves. `direction` in
+  /// which the contact point slides, 0 while it rolls.
   template <class Piece>
   truth_of<T> derivative(const state_type& x, state_type& dx, const Piece& piece, [[maybe_unused]] int direction = 0,
                          real_of<T> least_clock = 0) const {
     const instant now = at(x, piece, least_clock);
-    if constexpr (!is_many<T>)
-      if (!now.inside)
-        return false;
     dx[coordinate] = now.coordinate_rate;
     dx[approach_rate] = -this->total_force(now.c) * now.clock / pair.reduced_mass;
     if constexpr (free_edge)
@@ -264,9 +270,9 @@ private:
         const int here = least_clock > 0 ? side_of_rest(now.root_ratio, piece) : piece;
         edge = crack.rate(value_of(y) > 0 ? now.root_ratio : T(-now.root_ratio), here);
         advance = edge_speed_ * edge.advance;
-      } else {
-        edge.slowness = T(1);
-        advance = now.c.rate * y / (approach_gradient(x) * reference_);
+      } else { // at the fold of its branch, time stands still
+        edge.slowness = approach_gradient(x) * reference_ / y;
+        advance = now.c.rate;
       }
       now.inside = value_of(edge.slowness) >= 0 || past_fold(now.c); // beyond its limit, time would run backwards
     }

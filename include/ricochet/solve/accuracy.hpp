@@ -57,8 +57,8 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     const real excess = abs(value_of(fine.excess_energy())) / kinetic;
     // The errors of both solutions vary in sign and size with the tolerance, and now and then are the same by chance.
     const real of_edge = Reduced::free_edge ? real(1.5f) : real(1); // which decides when it lets go
-    const real by_chance =
-        of_edge * usual_error * tolerance / (refinement * v) * sqrt(max<real>(1, fine.largest_energy() / kinetic));
+    const real by_chance = of_edge * fine.usual_error() * tolerance / (refinement * v) *
+                           sqrt(max<real>(1, fine.largest_energy() / kinetic));
     real last_difference = abs(value_of(fine.excess_energy() - coarse.excess_energy()));
     if (!out.restitution && !rough.restitution && !fine.margins().empty() && !coarse.margins().empty()) {
       const std::size_t both = std::min(fine.margins().size(), coarse.margins().size()) - 1; // captured later or sooner

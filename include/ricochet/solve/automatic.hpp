@@ -16,6 +16,7 @@ struct automatic {
     using smooth_method = tsitouras_papakostas75::method<Flow>;
     using reduced_type = std::remove_cvref_t<decltype(std::declval<Flow>().model)>;
     static constexpr bool can_be_stiff = reduced_type::free_edge && std::same_as<double, typename Flow::number>;
+    using differentiable_model = reduced_model<gradient<real, 1>, typename reduced_type::model_type>;
     struct none {
       none(const real&, const state_type&) {}
     };
@@ -33,6 +34,7 @@ struct automatic {
           return stiff_.try_step(f, x, h);
         f.least_clock = 0;
         const auto result = smooth_.try_step(f, x, h);
+        bounces_ += !result.accepted && f.outside;
         if (result.accepted && h * worthwhile_ < 3) // an explicit method takes longer steps only where nothing is stiff
           watch(f, x, h);
         return result;
@@ -64,36 +66,50 @@ struct automatic {
         return false;
     }
 
+    /// Of the less exact of the methods that have been used.
+    double usual_error() const { return is_stiff_ ? stiff_usual_error : smooth_usual_error; }
+
   private:
+    static constexpr double smooth_usual_error = automatic::usual_error;
+    static constexpr double stiff_usual_error = 0.02; ///< of Radau IIA on the part of the motion left to it
+
     /// Is the edge's relaxation so fast that the implicit method pays, and does it limit the step h? Or will it, since
     /// the edge has come so close to rest that what is left of its run hardly matters? A slow edge is stiff only where
     /// it hugs the limit of its law, and there only a much faster relaxation is worth a change.
     void watch(Flow& f, const state_type& x, const real& h) {
-      if (!edge_)
+      if (!edge_) {
         edge_.emplace(f.model);
+        differentiable_.emplace(f.model);
+      }
       const real clock = f.model.at(x, f.piece).clock, gap = abs(f.model.root_ratio(x) - 1);
-      const real rate = relaxation_rate(f, x, gap);
+      const real rate = relaxation_rate(f, x);
       if (edge_->excess() < radau<5>::fast_enough)
         proves_stiff_ = rate > worthwhile_ * cube(clock) && (gap < close_ || h * rate > real(0.2));
       else
-        proves_stiff_ = rate * close_ > real(0.1) && h * rate > 1;
+        proves_stiff_ = (rate * close_ > real(0.1) && h * rate > 1) ||
+                        (rate > worthwhile_ && (bounces_ > 8 || ++short_steps_ > 1000));
     }
 
-    /// -d(dy/d sigma)/dy, to some digits.
-    static real relaxation_rate(Flow& f, const state_type& x, const real& gap) {
+    /// Of sqrt(beta), to lowest order: minus the trace of the derivatives of y and delta, on which it depends.
+    real relaxation_rate(Flow& f, const state_type& x) {
+      const auto derivative_by_itself = [&](auto unknown) -> real {
+        typename differentiable_model::state_type seeded{}, slope{};
+        std::copy(x.begin(), x.end(), seeded.begin());
+        seeded[unknown] = gradient<real, 1>::seeded(x[unknown], 0);
+        differentiable_->derivative(seeded, slope, f.piece, f.direction);
+        ++f.evaluations;
+        return slope[unknown].slope[0];
+      };
       const auto y = reduced_type::coordinate;
-      const real part = min<real>(1e-7, gap / 100) * x[y];
-      state_type beside = x, slope{}, slope_beside{};
-      beside[y] += part;
-      f(x, slope, real(0));
-      f(beside, slope_beside, real(0));
-      return (slope[y] - slope_beside[y]) / part;
+      return -derivative_by_itself(y) - derivative_by_itself(mutual_approach);
     }
 
     smooth_method smooth_;
     [[no_unique_address]] stiff_method stiff_;
     std::optional<fast_edge<reduced_type>> edge_;
+    std::optional<differentiable_model> differentiable_;
     real worthwhile_, close_;
+    int short_steps_ = 0, bounces_ = 0; ///< off the limit of the edge's law
     bool proves_stiff_ = false, is_stiff_ = false;
   };
 };

@@ -31,7 +31,7 @@ public:
   /// compared look by look, since they may be certain at different ones.
   const std::vector<real>& margins() const { return margins_; }
 
-  /// Looks at a contact that may creep.
+  /// Looks at a contact between turns.
   T look_closely(const part& c, ledger<Reduced>& books) {
     const T left = model_.kinetic_energy(c.rate) + books.meet(c) - model_.exit_energy(c);
     certain_ = Reduced::adhesive || Reduced::attracted ? value_of(left) < real(0) : never_opens(c);
@@ -46,12 +46,15 @@ public:
   /// Energy by which a contact is certain to be held that has more than it would have apart; nothing for others.
   const std::optional<real>& held_by() const { return held_by_; }
 
-  /// To be asked after every step: may this contact be creeping? An overdamped one creeps to its equilibrium without
-  /// turning, some even before they have turned once: after many steps, each is to be looked at.
-  bool may_creep(const T& rate, bool has_turned, const ledger<Reduced>& books) {
-    if (++steps_since_look_ <= 400)
+  /// To be asked after every step: is this contact to be looked at though it has not turned? An overdamped one creeps
+  /// to its equilibrium without turning, some even before they have turned once, and an edge at the limit of its law
+  /// may take very many steps to the first turn.
+  bool is_late(const T& rate, bool has_turned, const ledger<Reduced>& books) {
+    constexpr long many = 400;
+    if (++steps_since_look_ <= many)
       return false;
-    return has_turned || value_of(model_.kinetic_energy(rate)) < real(1e-6f) * books.largest();
+    return has_turned || value_of(model_.kinetic_energy(rate)) < real(1e-6f) * books.largest() ||
+           steps_since_look_ % many == 0;
   }
 
 private:

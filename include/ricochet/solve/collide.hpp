@@ -94,16 +94,36 @@ bool edge_is_static(const Model& model) {
   return in_si(model.adhesion.work_of_adhesion) == 0;
 }
 
-/// Outcome with the static edge where one this fast differs from it by less than the tolerance: the closer it is, the
+/// Energy, in units of the kinetic one, by which a free edge and a static one can differ in what they take: that of an
+/// edge so fast that it lags but little, or whatever its speed all that the law's range of G allows over twice the area
+/// of the deepest contact.
+template <class Model>
+double loss_of_free_edge(const Model& model, speed v) {
+  const scales unit = scales_at(model, v);
+  const reduced_model<double, Model> numbers(model, unit);
+  const double kinetic = numbers.kinetic_energy(reduce<double>(v, unit));
+  double loss = std::numeric_limits<double>::infinity();
+  if constexpr (requires { model.crack.relaxation_time; }) {
+    const fast_edge edge(numbers);
+    if (edge.lag() < 1e-3)
+      loss = edge.loss(numbers) / kinetic;
+  }
+  if constexpr (limited_crack_law<decltype(Model::crack)>) {
+    const double radius = reduce<double>(closed_form::max_contact_radius(model.pair, v), unit) +
+                          numbers.adhesion.equilibrium_radius(numbers.pair);
+    loss = std::min(loss, 2 * pi<double>() * square(radius) * numbers.adhesion.work_of_adhesion *
+                              numbers.crack.highest_ratio() / kinetic);
+  }
+  return loss;
+}
+
+/// Outcome with the static edge where a free one differs from it by less than the tolerance: the closer it is, the
 /// harder to integrate. None if that does not tell the outcome.
 template <class Model, class Stepper>
 std::optional<outcome_of<Model>> with_edge_as_static(const Model& model, const impact& impact,
                                                      const collide_options& options, Stepper stepper) {
-  const reduced_model<double, Model> numbers(model, scales_at(model, impact.speed));
-  const fast_edge edge(numbers);
-  const double v = reduce<double>(impact.speed, scales_at(model, impact.speed));
-  const double loss = edge.loss(numbers) / numbers.kinetic_energy(v);
-  if (!(edge.lag() < 1e-3 && loss < options.tolerance))
+  const double loss = loss_of_free_edge(model, impact.speed);
+  if (!(loss < options.tolerance))
     return std::nullopt;
   outcome_of<Model> out = integrate(
       model.with_static_edge(), impact,
@@ -154,7 +174,7 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
       if (detail::edge_is_static(model))
         return detail::warned<Model>(model, impact.speed,
                                      integrate(model.with_static_edge(), impact, options, Stepper{}));
-    if constexpr (requires { model.crack.relaxation_time; } && !Model::has_friction) // of the slip it tells no error
+    if constexpr (Model::has_crack_law && !Model::has_friction) // of the slip it tells no error
       if (auto out = detail::with_edge_as_static(model, impact, options, Stepper{}))
         return detail::warned<Model>(model, impact.speed, std::move(*out));
     const scales unit = scales_at(model, impact.speed);

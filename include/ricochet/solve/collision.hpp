@@ -32,6 +32,7 @@ public:
   /// \param spin of the sphere then, of no consequence without a peeling moment
   outcome_type solve(const T& speed, const T& slip_at_touch = T(0), const T& spin = T(0)) {
     ledger_.impact(speed);
+    events_.limits().allow(value_of(model_.kinetic_energy(speed)) * tolerance_ / 10);
     state_type x = model_.touch(speed);
     sliding_.start(x, slip_at_touch, spin);
     stick_slip_.start(slip_at_touch);
@@ -77,12 +78,20 @@ public:
   const real& near_miss() const { return near_miss_; }
   /// Energies at turning points and later touches, beyond what the contact has where it lets go.
   const std::vector<real>& margins() const { return capture_.margins(); }
+  /// Share of the step tolerance that is the error of a whole collision as a rule.
+  const real& usual_error() const { return usual_error_; }
   /// Largest energy met, kinetic or potential.
   const real& largest_energy() const { return ledger_.largest(); }
 
 private:
   typename Reduced::part now(const state_type& x) const { return model_.contact(x, flow_.piece); }
 
+  static real usual_error_of(const method_type& method) {
+    if constexpr (requires { method.usual_error(); })
+      return real(method.usual_error());
+    else
+      return real(Stepper::usual_error);
+  }
   static bool glides(const method_type& method) {
     if constexpr (requires { method.glides(); })
       return method.glides();
@@ -104,6 +113,12 @@ private:
   /// Integrates until the contact lets go; false where the collision has ended otherwise.
   bool follow_contact(state_type& x) {
     method_type method(tolerance_, sliding_.sized(model_.typical()));
+    const bool let_go = follow_contact(x, method);
+    usual_error_ = std::max(usual_error_, usual_error_of(method));
+    return let_go;
+  }
+
+  bool follow_contact(state_type& x, method_type& method) {
     kink_grading<real> kink{.closest = sqrt(tolerance_) / 16};
     events_.restart(x, approaching_);
     if (!Reduced::adhesive) // the overlap starts at zero
@@ -142,7 +157,7 @@ private:
             events_.restart(x, approaching_);
           }
         events_.arm(x);
-        if (capture_.may_creep(x[approach_rate], has_turned_, ledger_)) {
+        if (capture_.is_late(x[approach_rate], has_turned_, ledger_)) {
           capture_.look_closely(now(x), ledger_);
           observers_.turned(model_, x, flow_.piece);
           if (capture_.certain())
@@ -193,6 +208,9 @@ private:
     if constexpr (Reduced::flows)
       flow_.set_plastic(which == event::yielding, x);
     if (which != event::turning) {
+      if constexpr (edge_limits<Reduced>::exist)
+        if (flow_.piece == events_.limits().closing || flow_.piece == events_.limits().opening)
+          events_.limits().release(x, flow_.piece);
       flow_.piece = edge_.beyond(x, flow_.piece, which == event::leaving_above);
       return;
     }
@@ -256,7 +274,7 @@ private:
   [[no_unique_address]] observers<Reduced, method_type> observers_;
   [[no_unique_address]] sliding<Reduced> sliding_;
   [[no_unique_address]] stick_slip<Reduced> stick_slip_;
-  real tolerance_;
+  real tolerance_, usual_error_ = 0;
   long budget_;
   real longest_step_;
   outcome_type out_;

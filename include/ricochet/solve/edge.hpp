@@ -1,5 +1,6 @@
 // What is particular about following a free contact edge: its law has joints, and at one of them the edge rests.
 #pragma once
+#include <ricochet/solve/edge_limits.hpp>
 #include <ricochet/solve/flow.hpp>
 
 namespace ricochet {
@@ -61,6 +62,9 @@ public:
   /// The piece behind the joint that is crossed; or that of an edge held at the joint, where both pieces push it back.
   int beyond(const state_type& x, int piece, bool up) const {
     if constexpr (Reduced::free_edge) {
+      if constexpr (edge_limits<Reduced>::exist)
+        if (const auto next = edge_limits<Reduced>::beyond(piece, up))
+          return *next;
       if (piece < 0) // held no longer: the piece on that side takes over
         return up ? -piece : -1 - piece;
       const int joint = up ? piece : piece - 1, next = up ? piece + 1 : piece - 1;
@@ -75,6 +79,8 @@ public:
 
   /// Does the contact's radius still grow?
   static bool grows(int piece) {
+    if (piece == edge_limits<Reduced>::closing || piece == edge_limits<Reduced>::opening)
+      return piece == edge_limits<Reduced>::closing;
     const std::size_t above = std::size_t(piece < 0 ? -1 - piece : piece); // the joint above
     return above < joints.size() && joints[above] <= 1;
   }
@@ -83,7 +89,8 @@ public:
   /// fold, on the way out.
   bool may_let_go(const state_type& x, int piece) const {
     if constexpr (Reduced::free_edge)
-      return std::size_t(piece) == joints.size() && model_.past_fold(model_.contact(x, piece));
+      return piece == edge_limits<Reduced>::opening ||
+             (std::size_t(piece) == joints.size() && model_.past_fold(model_.contact(x, piece)));
     else
       return value_of(x[approach_rate]) < real(0);
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <ricochet/solve/edge_limits.hpp>
 #include <ricochet/solve/stepper.hpp>
 
 #include <optional>
@@ -29,10 +30,12 @@ class event_values {
                                          std::same_as<typename Reduced::model_type::end_condition, end_at_zero_force>;
 
 public:
-  explicit event_values(const Reduced& model) : model_(model) {
+  explicit event_values(const Reduced& model) : limits(model), model_(model) {
     if constexpr ((Reduced::adhesive && !Reduced::free_edge) || Reduced::cohesive)
       fold_ = model.fold_coordinate();
   }
+
+  edge_limits<Reduced> limits;
 
   /// `direction` in which the contact point slides.
   T value(event which, const state_type& x, int piece, bool approaching, [[maybe_unused]] int direction = 1) const {
@@ -41,6 +44,8 @@ public:
       return approaching ? x[approach_rate] : T(-x[approach_rate]);
     case event::letting_go:
       if constexpr (Reduced::free_edge) {
+        if (piece == limits.opening)
+          return model_.approach_gradient(x);
         if (std::size_t(piece) != joint_count) // only the last piece opens
           return T(1);
         return opens_without_bound<decltype(Reduced::crack)> ? x[Reduced::coordinate] : model_.at(x, piece).slowness;
@@ -59,6 +64,14 @@ public:
       }
       break;
     case event::leaving_below:
+      if constexpr (limits.exist) {
+        if (piece == limits.opening)
+          return limits.driven(x, piece);
+        if (piece == limits.closing)
+          break;
+        if (piece == 0)
+          return limits.above_lower(x);
+      }
       if constexpr (Reduced::free_edge) {
         if (piece < 0)
           return model_.root_ratio_rate(x, -1 - piece);
@@ -68,6 +81,14 @@ public:
         return piece == 1 ? x[Reduced::coordinate] : T(1);
       break;
     case event::leaving_above:
+      if constexpr (limits.exist) {
+        if (piece == limits.closing)
+          return limits.driven(x, piece);
+        if (piece == limits.opening)
+          break;
+        if (std::size_t(piece) == joint_count)
+          return limits.below_upper(x, piece);
+      }
       if constexpr (Reduced::free_edge) {
         if (piece < 0)
           return -model_.root_ratio_rate(x, -piece);
@@ -159,6 +180,7 @@ public:
     for (std::size_t i = 0; i < event_count; ++i)
       armed_[i] = armed_[i] || value_of(value(event{int(i)}, x)) > real(0);
   }
+  edge_limits<model_type>& limits() { return values_.limits; }
   void disarm(event which) { armed_[std::size_t(which)] = false; }
 
   /// The earliest armed event within the step tried. Each event is looked for only up to the earliest found so far,

@@ -28,11 +28,7 @@ struct flow {
 
   void operator()(const state_type& x, state_type& dx, const real&) {
     ++evaluations;
-    if (model.derivative(x, dx, piece, direction, least_clock))
-      return;
-    outside = true;
-    for (auto& component : dx)
-      component = number(0);
+    outside |= !model.derivative(x, dx, piece, direction, least_clock);
   }
 };
 

@@ -181,15 +181,13 @@ struct radau {
             residual(j, i) += here[std::size_t(j)];
           residual.col(i) = (correction[std::size_t(i)] * residual.col(i)).eval();
         }
-        if (f.outside)
-          return false;
         const increments change = solution(residual);
         const real norm = update(f, x, change, z), rate = iteration == 0 ? 1 : norm / last;
         last = norm;
         refresh = rate > 0.05;
         if (norm < 0.1 * enough || (iteration > 0 && rate < 1 && norm * rate < enough * (1 - rate))) {
           finish(x, h, z, slope, out);
-          return true;
+          return !f.outside;
         }
         if (!std::isfinite(norm) || (iteration > 1 && norm * std::pow(rate, most - 1 - iteration) > enough))
           return false;
@@ -376,7 +374,7 @@ struct radau {
         if (!(least_clock_ > 0))
           n.row(0) += inverse_[0].real.row(0) * (geometry_(2, 0) - f.model.approach_gradient(x));
         const Eigen::Matrix<real, 2, 2> bend = Eigen::Matrix<real, 2, 2>::Identity() - n * c;
-        if (f.outside || !(bend.determinant() > 0.1))
+        if (!(bend.determinant() > 0.1))
           return matrix::Identity();
         return matrix::Identity() + c * bend.inverse() * n;
       }

@@ -28,6 +28,13 @@ concept crack_velocity_law = any_law<L> && plays<L, role::crack> &&
   { law.rate(x, 0) } -> std::same_as<edge_rate<double>>;
 };
 
+/// A law that knows the ends of its range of beta: a closing edge stays above the one, an opening one below the other.
+template <class L>
+concept limited_crack_law = crack_velocity_law<L> && requires(const typename L::template in<reduced<double>> law) {
+  { law.lowest_ratio() } -> std::same_as<double>;
+  { law.highest_ratio() } -> std::same_as<double>;
+};
+
 template <class L>
 inline constexpr bool opens_without_bound = requires {
   requires L::unbounded;

@@ -48,6 +48,8 @@ struct greenwood_law {
 
   /// beta of the contact's edge when the bodies touch [K appendix B].
   number first_ratio() const { return first_ratio_over_k * modulus_ratio; }
+  number lowest_ratio() const { return modulus_ratio; }
+  number highest_ratio() const { return number(1) / modulus_ratio; }
 
   /// Piece 0 closes (k < beta < 1), piece 1 opens (1 < beta < 1/k); a piece for each lane where numbers are lanes.
   template <class Piece>

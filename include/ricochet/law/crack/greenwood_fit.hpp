@@ -42,6 +42,8 @@ struct greenwood_fit_law {
 
   /// beta of the contact's edge when the bodies touch [K appendix B].
   number first_ratio() const { return first_ratio_over_k * modulus_ratio; }
+  number lowest_ratio() const { return modulus_ratio; }
+  number highest_ratio() const { return number(1) / modulus_ratio; }
 
   edge_rate<number> rate(const number& root_ratio, int piece) const {
     const number one = 1, k = modulus_ratio;

@@ -1,0 +1,92 @@
+#pragma once
+#include <ricochet/model/reduced_model.hpp>
+
+#include <optional>
+
+namespace ricochet {
+
+/// Where a free edge is followed as if it were held: so close to an end of its law's range, where its speed has no
+/// bound, that the difference of energy is below the errors of the solution. A slow edge, one of bodies large against
+/// the cohesive zone, runs there whenever it moves at all, and its law is as good as JKR's with w k while it closes
+/// and w/k while it opens; an explicit method would have to follow its relaxation, the faster the slower the edge is.
+template <class Reduced>
+class edge_limits {
+  using T = typename Reduced::number;
+  using real = real_of<T>;
+  using state_type = typename Reduced::state_type;
+
+public:
+  /// The pieces of an edge that is held; others see reduced_model::at().
+  static constexpr int closing = -10, opening = -11;
+  static constexpr bool exist = [] {
+    if constexpr (Reduced::free_edge)
+      return limited_crack_law<decltype(Reduced::crack)>;
+    else
+      return false;
+  }();
+
+  explicit edge_limits(const Reduced& model) : model_(model) {}
+
+  /// \param energy by which the edge's losses may be wrong
+  void allow(const real& energy) {
+    if constexpr (exist) {
+      const real a = value_of(T(model_.adhesion.equilibrium_radius(model_.pair)));
+      const real area = pi<real>() * (2 * value_of(T(model_.pair.reduced_radius)) + 4 * a * a);
+      const real at_rest = value_of(T(model_.adhesion.work_of_adhesion)) * area;
+      const T lowest = model_.crack.lowest_ratio(), highest = model_.crack.highest_ratio();
+      const auto margin = [&](const T& ratio) -> real {
+        const real part = energy / (at_rest * value_of(ratio));
+        return part > real(1e-12f) ? std::min<real>(part, real(1e-3f)) : real(0); // below, round-off decides
+      };
+      if (margin(lowest) > real(0))
+        closing_root_ = sqrt(T(lowest * T(1 + margin(lowest))));
+      if (margin(highest) > real(0))
+        opening_root_ = sqrt(T(highest * T(1 - margin(highest))));
+    }
+  }
+
+  /// > 0 while sqrt(beta) is above that where a closing edge is held; the like for an opening one before the fold.
+  T above_lower(const state_type& x) const {
+    return closing_root_ > T(0) ? T(model_.root_ratio(x) - closing_root_) : T(1);
+  }
+  T below_upper(const state_type& x, int piece) const {
+    return opening_root_ > T(0) && !model_.past_fold(model_.contact(x, piece)) ? T(opening_root_ - model_.root_ratio(x))
+                                                                               : T(1);
+  }
+
+  /// > 0 while the bodies move a held edge faster than its law would: it cannot get away from the limit.
+  T driven(const state_type& x, int piece) const {
+    const bool closes = piece == closing;
+    const T excess = model_.speed_beyond_law(x, closes ? closing_root_ : opening_root_, closes ? 0 : last_piece());
+    return closes ? excess : T(-excess);
+  }
+
+  /// The state with sqrt(beta) in every digit as the edge was held; round-off might be beyond the limit.
+  void release(state_type& x, int piece) const {
+    const T root = piece == closing ? closing_root_ : opening_root_;
+    for (int n = 0; n < 3; ++n)
+      x[Reduced::coordinate] -=
+          (model_.approach_at(x[Reduced::coordinate], root) - x[mutual_approach]) / model_.approach_gradient(x);
+  }
+
+  /// The piece on the other side of the event that leaves this one; nothing if no limit is there.
+  static std::optional<int> beyond(int piece, bool up) {
+    if (piece == closing)
+      return 0;
+    if (piece == opening)
+      return last_piece();
+    if (piece == 0 && !up)
+      return closing;
+    if (piece == last_piece() && up)
+      return opening;
+    return std::nullopt;
+  }
+
+private:
+  static constexpr int last_piece() { return int(decltype(Reduced::crack)::joints.size()); }
+
+  const Reduced& model_;
+  T closing_root_ = T(0), opening_root_ = T(0);
+};
+
+} // namespace ricochet
