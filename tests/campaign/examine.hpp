@@ -252,15 +252,18 @@ finding solve_oblique(const scene& s, double tolerance) {
   return f;
 }
 
-/// In the precision of long double, by a stepper of order eight.
+/// In the precision of long double, by a stepper of order eight; 0 when captured, nothing where that takes too long.
 template <class... Laws>
-double reference_restitution(const scene& s) {
+std::optional<double> reference_restitution(const scene& s) {
   const speed v = s.speed * metres_per_second;
   const auto model = composed<Laws...>(s);
   const scales unit = scales_at(model, v);
   const reduced_model<long double, std::remove_const_t<decltype(model)>> numbers(model, unit);
-  collision<std::remove_const_t<decltype(numbers)>, stepper::fehlberg78> solver(numbers, 1e-17L, 40'000'000);
-  return static_cast<double>(solver.solve(reduce<long double>(v, unit)).restitution.value_or(0));
+  collision<std::remove_const_t<decltype(numbers)>, stepper::fehlberg78> solver(numbers, 1e-17L, 1'000'000);
+  const auto out = solver.solve(reduce<long double>(v, unit));
+  if (out.ending != ending::separated && out.ending != ending::captured)
+    return std::nullopt;
+  return static_cast<double>(out.restitution.value_or(0));
 }
 
 // --- the list

@@ -12,7 +12,7 @@ struct instance {
   std::string name; ///< laws joined by +, then the stepper
   /// \throws ricochet::bad_input where the library refuses the scene.
   finding (*solve)(const scene&, double tolerance);
-  double (*reference)(const scene&) = nullptr; ///< restitution in long double, 0 when captured; not of all
+  std::optional<double> (*reference)(const scene&) = nullptr; ///< restitution in long double; not of all
 };
 
 // The parts of the whole list, each compiled in a file of its name.

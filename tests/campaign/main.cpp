@@ -81,13 +81,14 @@ examination examine(const instance& of, const scene& s, extent from, bool compar
                            f.error_estimate));
     }
   }
-  if (refer && of.reference && told) {
-    const double reference = of.reference(s), error = std::abs(e_of(f) - reference);
-    result.error_over_estimate = over_estimate(f, error);
-    f.expect(*result.error_over_estimate <= 1,
-             fmt::format("errs by {:.3g} where the estimate is {:.3g}: {:.17g} is right", error, f.error_estimate,
-                         reference));
-  }
+  if (refer && of.reference && told)
+    if (const std::optional<double> reference = of.reference(s)) {
+      const double error = std::abs(e_of(f) - *reference);
+      result.error_over_estimate = over_estimate(f, error);
+      f.expect(*result.error_over_estimate <= 1,
+               fmt::format("errs by {:.3g} where the estimate is {:.3g}: {:.17g} is right", error, f.error_estimate,
+                           *reference));
+    }
   result.is = !f.wrong.empty()                           ? verdict::wrong
               : f.ending == ricochet::ending::unresolved ? verdict::unresolved
               : f.ending == ricochet::ending::failed     ? verdict::failed

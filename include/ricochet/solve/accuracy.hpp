@@ -15,8 +15,9 @@ inline constexpr range tolerance_range{.low = 1e-12, .high = 1e-1, .high_include
 
 namespace detail {
 
-/// Solves at two step tolerances until their difference says that the restitution is known to the tolerance, or until
-/// round-off forbids better. The finer solution is the result, the difference the bound of its error.
+/// Solves at two step tolerances until their difference says that the restitution is known to the tolerance and the
+/// ledger, if there is one, closes to it, or until round-off forbids better. The finer solution is the result, the
+/// difference the bound of its error.
 template <class Stepper, class Reduced>
 auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& speed,
                         const typename Reduced::number& slip_at_touch, const typename Reduced::number& spin,
@@ -97,9 +98,12 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
       if (size > real(0))
         out.slip_error_estimate += static_cast<double>((difference * 3 / 2 + by_chance * v) / size + round_off);
     }
-    if ((error <= wanted && out.ending_is_certain) || last_round)
+    real unmet = error; // what is to be brought below the tolerance
+    if constexpr (Model::asked.ledger)
+      unmet = max<real>(unmet, abs(value_of(out.ledger_residual)) - round_off);
+    if ((unmet <= wanted && out.ending_is_certain) || last_round)
       return out;
-    tolerance *= max<real>(real(1e-4), min<real>(real(0.3), wanted / (2 * error)));
+    tolerance *= max<real>(real(1e-4), min<real>(real(0.3), wanted / (2 * unmet)));
   }
 }
 
