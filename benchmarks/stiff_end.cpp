@@ -72,7 +72,7 @@ void slow_end(double tolerance) {
   const double speeds[] = {1, 2, 4, 8, 16, 32, 64};
   for (const double v : speeds)
     std::printf("   %3.0f m/s", v);
-  for (int decade = -9; decade <= -3; ++decade) {
+  for (int decade = -9; decade <= 0; ++decade) {
     std::printf("\n%11.0e", std::pow(10, decade));
     for (const double v : speeds) {
       const auto out = collide(scene(std::pow(10, decade)), impact{v * metres_per_second},

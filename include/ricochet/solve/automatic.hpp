@@ -87,7 +87,7 @@ struct automatic {
         proves_stiff_ = rate > worthwhile_ * cube(clock) && (gap < close_ || h * rate > real(0.2));
       else
         proves_stiff_ = (rate * close_ > real(0.1) && h * rate > 1) ||
-                        (rate > worthwhile_ && (bounces_ > 8 || ++short_steps_ > 1000));
+                        (rate > worthwhile_ / 8 && (bounces_ > 8 || ++short_steps_ > 300));
     }
 
     /// Of sqrt(beta), to lowest order: minus the trace of the derivatives of y and delta, on which it depends.
