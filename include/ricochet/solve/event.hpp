@@ -64,7 +64,7 @@ public:
       }
       break;
     case event::leaving_below:
-      if constexpr (limits.exist) {
+      if constexpr (edge_limits<Reduced>::exist) {
         if (piece == limits.opening)
           return limits.driven(x, piece);
         if (piece == limits.closing)
@@ -81,7 +81,7 @@ public:
         return piece == 1 ? x[Reduced::coordinate] : T(1);
       break;
     case event::leaving_above:
-      if constexpr (limits.exist) {
+      if constexpr (edge_limits<Reduced>::exist) {
         if (piece == limits.closing)
           return limits.driven(x, piece);
         if (piece == limits.opening)
