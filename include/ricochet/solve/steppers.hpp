@@ -62,11 +62,14 @@ struct bulirsch_stoer {
       stepper_type fresh = stepper_;
       state_type from = x, out{};
       real t = 0, next = h;
-      while (t < h) {
+      for (int tries = 0; tries < 1000; ++tries) {
         next = std::min<real>(next, h - t);
         if (fresh.try_step(std::ref(f), from, t, out, next) == odeint::success)
           from = out;
+        if (!(t < h))
+          return from;
       }
+      from.fill(std::numeric_limits<real>::quiet_NaN()); // it gets no further: the event is to be sought in less
       return from;
     }
 
