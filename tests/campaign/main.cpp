@@ -37,10 +37,6 @@ extent extent_of(std::uint64_t index, const std::optional<extent>& given) {
   return place < 9 ? extent::documented : place < 19 ? extent::wide : extent::bad;
 }
 
-const char* range_name(extent from) {
-  return from == extent::documented ? "documented" : from == extent::wide ? "wide" : "bad";
-}
-
 double e_of(const finding& f) { return f.restitution.value_or(0); }
 
 /// How often the estimate goes into the error beyond what else explains it.
@@ -118,7 +114,7 @@ public:
     const extent from = extent_of(index, given_.from);
     const scene s = draw(given_.seed, index, from);
     const instance& of = instance_of(index);
-    fmt::print("scene {} of seed {}: {}, {}\n{}", index, given_.seed, of.name, name_of(from), s.text());
+    fmt::print("scene {} of seed {}: {}, range {}\n{}", index, given_.seed, of.name, name_of(from), s.text());
     std::fflush(stdout);
     const examination result = examine(of, s, from, true, true);
     const finding& f = result.found;
@@ -139,17 +135,15 @@ public:
         sum.merge(of(i, from));
       if (sum.total() == 0)
         continue;
-      fmt::print("\n{}: {} scenes, {:.3g} evaluations each\n", name_of(from), sum.total(),
+      fmt::print("\nrange {}: {} scenes, {:.3g} evaluations each\n", name_of(from), sum.total(),
                  double(sum.evaluations) / double(sum.total()));
       for (std::size_t v = 0; v < sum.count.size(); ++v)
         if (sum.count[v] > 0)
           fmt::print("  {:20} {:10}  {:.2e}\n", verdict_names[v], sum.count[v],
                      double(sum.count[v]) / double(sum.total()));
-      fmt::print(
-          "  error over estimate at most {:.3g} (scene {}) in {} comparisons, ledger residual {:.3g} (scene {}), "
-          "evaluations {:.3g} (scene {})\n",
-          sum.largest_error.value, sum.largest_error.index, sum.compared, sum.largest_residual.value,
-          sum.largest_residual.index, sum.most_evaluations.value, sum.most_evaluations.index);
+      print_largest("evaluations", sum.most_evaluations);
+      print_largest("ledger residual", sum.largest_residual);
+      print_largest(fmt::format("error over estimate, {} comparisons", sum.compared), sum.largest_error);
       for (std::size_t i = 0; i < instances_.size(); ++i)
         print_trouble(instances_[i], of(i, from));
       right = right && sum.count[std::size_t(verdict::wrong)] == 0;
@@ -165,13 +159,18 @@ private:
     return tallies_[instance * extents.size() + std::size_t(from)];
   }
 
+  static void print_largest(const std::string& what, const record& largest) {
+    if (largest.value > 0)
+      fmt::print("  largest {}: {:.3g} (scene {})\n", what, largest.value, largest.index);
+  }
+
   void print_trouble(const instance& of, const tally& here) const {
     if (!here.reasons.empty())
       fmt::print("  {}, of {}:\n", of.name, here.total());
     for (const auto& [kind, seen] : here.reasons)
       fmt::print("    {:6} {}: campaign --seed {}{}{} --scene {}\n", seen.first, kind, given_.seed,
                  given_.only.empty() ? "" : fmt::format(" --only '{}'", given_.only),
-                 given_.from ? fmt::format(" --range {}", range_name(*given_.from)) : "", seen.second);
+                 given_.from ? fmt::format(" --range {}", name_of(*given_.from)) : "", seen.second);
   }
 
   void work() {
@@ -181,8 +180,8 @@ private:
       const std::uint64_t last = std::min(first + chunk, given_.count);
       for (std::uint64_t i = first; i < last; ++i) {
         const extent from = extent_of(i, given_.from);
-        const auto often = [&](long n) {
-          return n > 0 && (i / 20 / instances_.size() * 20 + i % 20) % std::uint64_t(n) == 0;
+        const auto often = [&](long n) { // of every instance and range alike
+          return n > 0 && (i * 0x9e3779b97f4a7c15u >> 32) % std::uint64_t(n) == 0;
         };
         const examination result = examine(instance_of(i), draw(given_.seed, i, from), from,
                                            often(given_.compare_every), often(given_.reference_every));

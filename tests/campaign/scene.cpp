@@ -162,7 +162,7 @@ scene draw(std::uint64_t seed, std::uint64_t index, extent from) {
 }
 
 const char* name_of(extent from) {
-  return from == extent::documented ? "documented range" : from == extent::wide ? "wide range" : "bad input";
+  return from == extent::documented ? "documented" : from == extent::wide ? "wide" : "bad";
 }
 
 } // namespace campaign

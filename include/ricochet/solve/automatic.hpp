@@ -71,11 +71,11 @@ struct automatic {
 
   private:
     static constexpr double smooth_usual_error = automatic::usual_error;
-    static constexpr double stiff_usual_error = 0.02; ///< of Radau IIA on the part of the motion left to it
+    static constexpr double stiff_usual_error = 0.02; ///< of Radau IIA on what is left to it: tests/solve/accuracy.cpp
 
     /// Is the edge's relaxation so fast that the implicit method pays, and does it limit the step h? Or will it, since
     /// the edge has come so close to rest that what is left of its run hardly matters? A slow edge is stiff only where
-    /// it hugs the limit of its law, and there only a much faster relaxation is worth a change.
+    /// it hugs the limit of its law: there explicit steps bounce off, or stay short for very long.
     void watch(Flow& f, const state_type& x, const real& h) {
       if (!edge_) {
         edge_.emplace(f.model);
@@ -109,7 +109,8 @@ struct automatic {
     std::optional<fast_edge<reduced_type>> edge_;
     std::optional<differentiable_model> differentiable_;
     real worthwhile_, close_;
-    int short_steps_ = 0, bounces_ = 0; ///< off the limit of the edge's law
+    int short_steps_ = 0; ///< explicit ones, of an edge that relaxes faster than that
+    int bounces_ = 0;     ///< explicit steps rejected because they led beyond the limit of the edge's law
     bool proves_stiff_ = false, is_stiff_ = false;
   };
 };

@@ -102,12 +102,8 @@ double loss_of_free_edge(const Model& model, speed v) {
   const scales unit = scales_at(model, v);
   const reduced_model<double, Model> numbers(model, unit);
   const double kinetic = numbers.kinetic_energy(reduce<double>(v, unit));
-  double loss = std::numeric_limits<double>::infinity();
-  if constexpr (requires { model.crack.relaxation_time; }) {
-    const fast_edge edge(numbers);
-    if (edge.lag() < 1e-3)
-      loss = edge.loss(numbers) / kinetic;
-  }
+  const fast_edge edge(numbers);
+  double loss = edge.lag() < 1e-3 ? edge.loss(numbers) / kinetic : std::numeric_limits<double>::infinity();
   if constexpr (limited_crack_law<decltype(Model::crack)>) {
     const double radius = reduce<double>(closed_form::max_contact_radius(model.pair, v), unit) +
                           numbers.adhesion.equilibrium_radius(numbers.pair);
@@ -174,7 +170,7 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
       if (detail::edge_is_static(model))
         return detail::warned<Model>(model, impact.speed,
                                      integrate(model.with_static_edge(), impact, options, Stepper{}));
-    if constexpr (Model::has_crack_law && !Model::has_friction) // of the slip it tells no error
+    if constexpr (requires { model.crack.relaxation_time; } && !Model::has_friction) // of the slip it tells no error
       if (auto out = detail::with_edge_as_static(model, impact, options, Stepper{}))
         return detail::warned<Model>(model, impact.speed, std::move(*out));
     const scales unit = scales_at(model, impact.speed);
