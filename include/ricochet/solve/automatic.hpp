@@ -35,7 +35,8 @@ struct automatic {
         f.least_clock = 0;
         const auto result = smooth_.try_step(f, x, h);
         bounces_ += !result.accepted && f.outside;
-        if (result.accepted && h * worthwhile_ < 3) // an explicit method takes longer steps only where nothing is stiff
+        if (result.accepted && h * worthwhile_ < 3 && // an explicit method takes longer steps only where nothing is stiff
+            ++steps_ % every == 0)
           watch(f, x, h);
         return result;
       } else {
@@ -87,7 +88,7 @@ struct automatic {
         proves_stiff_ = rate > worthwhile_ * cube(clock) && (gap < close_ || h * rate > real(0.2));
       else
         proves_stiff_ = (rate * close_ > real(0.1) && h * rate > 1) ||
-                        (rate > worthwhile_ / 8 && (bounces_ > 8 || ++short_steps_ > 300));
+                        (rate > worthwhile_ / 8 && (bounces_ > 8 || (short_steps_ += every) > 300));
     }
 
     /// Of sqrt(beta), to lowest order: minus the trace of the derivatives of y and delta, on which it depends.
@@ -109,6 +110,8 @@ struct automatic {
     std::optional<fast_edge<reduced_type>> edge_;
     std::optional<differentiable_model> differentiable_;
     real worthwhile_, close_;
+    static constexpr int every = 4; ///< steps, is the edge watched: that takes as long as three stages
+    int steps_ = 0;
     int short_steps_ = 0; ///< explicit ones, of an edge that relaxes faster than that
     int bounces_ = 0;     ///< explicit steps rejected because they led beyond the limit of the edge's law
     bool proves_stiff_ = false, is_stiff_ = false;
