@@ -27,7 +27,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
   using Model = typename Reduced::model_type;
   const real wanted = real(options.tolerance), finest = 4 * std::numeric_limits<real>::epsilon();
   const real refinement = 4, v = value_of(speed), kinetic = v * v * value_of(T(model.pair.reduced_mass)) / 2;
-  const real usual_error = real(Stepper::usual_error), loosest = real(Reduced::free_edge ? 1e-4 : 1e-5);
+  const real usual_error = real(Stepper::usual_error), loosest = real(Reduced::free_edge ? 5e-5 : 2e-4);
   real tolerance = min<real>(wanted * max<real>(1, 1 / (25 * usual_error)), loosest) * min<real>(v, real(1));
   long evaluations = 0, rejected = 0;
   for (int round = 0;; ++round) {
@@ -57,9 +57,10 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     const real first_leg = abs(value_of(fine.energy_at_turning() - coarse.energy_at_turning())) / kinetic;
     const real excess = abs(value_of(fine.excess_energy())) / kinetic;
     // The errors of both solutions vary in sign and size with the tolerance, and now and then are the same by chance.
-    // A free edge decides when it lets go, and shows its law's kinks to long steps.
-    const real of_edge = Reduced::free_edge ? real(2) * max<real>(1, cbrt(real(3e6f) * tolerance)) : real(1);
-    const real by_chance = of_edge * fine.usual_error() * tolerance / (refinement * v) *
+    // Long steps err more, all the more at the fold, and most where a free edge decides when to let go.
+    const real per_short_step = real(Reduced::adhesive ? 4e6 : 1e5);
+    const real of_steps = (Reduced::free_edge ? 2 : 1) * max<real>(1, cbrt(per_short_step * tolerance));
+    const real by_chance = of_steps * fine.usual_error() * tolerance / (refinement * v) *
                            sqrt(max<real>(1, fine.largest_energy() / kinetic));
     real last_difference = abs(value_of(fine.excess_energy() - coarse.excess_energy()));
     if (!out.restitution && !rough.restitution && !fine.margins().empty() && !coarse.margins().empty()) {

@@ -36,7 +36,7 @@ struct automatic {
         const auto result = smooth_.try_step(f, x, h);
         bounces_ += !result.accepted && f.outside;
         if (result.accepted && h * worthwhile_ < 3 && // an explicit method takes longer steps only where nothing is stiff
-            ++steps_ % every == 0)
+            (++steps_ % every == 0 || bounces_ > 8))
           watch(f, x, h);
         return result;
       } else {

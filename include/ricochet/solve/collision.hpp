@@ -32,7 +32,7 @@ public:
   /// \param spin of the sphere then, of no consequence without a peeling moment
   outcome_type solve(const T& speed, const T& slip_at_touch = T(0), const T& spin = T(0)) {
     ledger_.impact(speed);
-    events_.limits().allow(value_of(model_.kinetic_energy(speed)) * tolerance_ / 2);
+    events_.limits().allow(value_of(model_.kinetic_energy(speed)) * std::min<real>(tolerance_, real(1e-6f)) / 2);
     state_type x = model_.touch(speed);
     sliding_.start(x, slip_at_touch, spin);
     stick_slip_.start(slip_at_touch);
