@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(there_are_no_limits_unless_an_error_is_allowed) {
   const auto x = numbers.touch(1.0);
   BOOST_TEST(limits.above_lower(x) == 1);
   BOOST_TEST(limits.below_upper(x, 1) == 1);
-  limits.allow(1e-3 * numbers.kinetic_energy(1.0));
+  limits.allow(numbers.kinetic_energy(1.0), 1e-4);
   BOOST_TEST((limits.above_lower(x) > 0 && limits.above_lower(x) < 0.01)); // touch is 1 % above the limit
   BOOST_TEST(limits.below_upper(x, 1) > 1);
   // Bodies that approach drive a closing edge, those that separate an opening one.
@@ -117,6 +117,6 @@ BOOST_AUTO_TEST_CASE(there_are_no_limits_unless_an_error_is_allowed) {
   BOOST_TEST(!limits_type::beyond(0, true));
   // An error so small that round-off decides: none.
   limits_type none(numbers);
-  none.allow(1e-20 * numbers.kinetic_energy(1.0));
+  none.allow(numbers.kinetic_energy(1.0), 1e-30);
   BOOST_TEST(none.above_lower(x) == 1);
 }

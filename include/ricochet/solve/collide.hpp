@@ -94,23 +94,28 @@ bool edge_is_static(const Model& model) {
   return in_si(model.adhesion.work_of_adhesion) == 0;
 }
 
-/// Energy, in units of the kinetic one, by which a free edge and a static one can differ in what they take: that of an
-/// edge so fast that it lags but little, or whatever its speed all that the law's range of G allows over twice the area
-/// of the deepest contact.
+/// Energy, in units of the kinetic one, by which a free edge and a static one can differ in what they take at most. By
+/// its law's range alone: of G over twice the area of the deepest contact, whatever the edge's speed.
+struct loss_of_edge {
+  double most = std::numeric_limits<double>::infinity();
+  bool by_range_alone = false;
+};
 template <class Model>
-double loss_of_free_edge(const Model& model, speed v) {
+loss_of_edge loss_of_free_edge(const Model& model, speed v) {
   const scales unit = scales_at(model, v);
   const reduced_model<double, Model> numbers(model, unit);
   const double kinetic = numbers.kinetic_energy(reduce<double>(v, unit));
   const fast_edge edge(numbers);
-  double loss = edge.lag() < 1e-3 ? edge.loss(numbers) / kinetic : std::numeric_limits<double>::infinity();
+  if (edge.lag() < 1e-3)
+    return {edge.loss(numbers) / kinetic, false};
   if constexpr (limited_crack_law<decltype(Model::crack)>) {
     const double radius = reduce<double>(closed_form::max_contact_radius(model.pair, v), unit) +
                           numbers.adhesion.equilibrium_radius(numbers.pair);
-    loss = std::min(loss, 2 * pi<double>() * square(radius) * numbers.adhesion.work_of_adhesion *
-                              numbers.crack.highest_ratio() / kinetic);
+    return {2 * pi<double>() * square(radius) * numbers.adhesion.work_of_adhesion * numbers.crack.highest_ratio() /
+                kinetic,
+            true};
   }
-  return loss;
+  return {};
 }
 
 /// Outcome with the static edge where a free one differs from it by less than the tolerance: the closer it is, the
@@ -118,15 +123,26 @@ double loss_of_free_edge(const Model& model, speed v) {
 template <class Model, class Stepper>
 std::optional<outcome_of<Model>> with_edge_as_static(const Model& model, const impact& impact,
                                                      const collide_options& options, Stepper stepper) {
-  const double loss = loss_of_free_edge(model, impact.speed);
-  if (!(loss < options.tolerance))
+  const loss_of_edge loss = loss_of_free_edge(model, impact.speed);
+  if (!(loss.most < options.tolerance))
     return std::nullopt;
-  outcome_of<Model> out = integrate(
-      model.with_static_edge(), impact,
-      {.tolerance = std::max(options.tolerance / 2, tolerance_range.low), .max_evaluations = options.max_evaluations},
-      stepper);
-  if (out.restitution)
-    out.error_estimate += loss / *out.restitution;
+  const collide_options closer{.tolerance = std::max(options.tolerance / 2, tolerance_range.low),
+                               .max_evaluations = options.max_evaluations};
+  const auto held = model.with_static_edge();
+  outcome_of<Model> out = integrate(held, impact, closer, stepper);
+  if (out.restitution) {
+    out.error_estimate += loss.most / *out.restitution;
+    if constexpr (Model::damped && limited_crack_law<decltype(Model::crack)>)
+      if (loss.by_range_alone) { // the bulk's loss goes with the radius, which is between those of held edges
+        auto at_limit = held;
+        for (const double ratio : {model.crack.lowest_ratio(), model.crack.highest_ratio()}) {
+          at_limit.adhesion.work_of_adhesion = ratio * model.adhesion.work_of_adhesion;
+          const outcome_of<Model> other = integrate(at_limit, impact, closer, stepper);
+          out.error_estimate += std::abs(other.restitution.value_or(0) - *out.restitution);
+          out.evaluations += other.evaluations;
+        }
+      }
+  }
   const bool tells = out.ending_is_certain && out.error_estimate <= options.tolerance &&
                      !(out.restitution && *out.restitution < 2 * out.error_estimate);
   return tells ? std::optional(std::move(out)) : std::nullopt;

@@ -32,7 +32,7 @@ public:
   /// \param spin of the sphere then, of no consequence without a peeling moment
   outcome_type solve(const T& speed, const T& slip_at_touch = T(0), const T& spin = T(0)) {
     ledger_.impact(speed);
-    events_.limits().allow(value_of(model_.kinetic_energy(speed)) * std::min<real>(tolerance_, real(1e-6f)) / 2);
+    events_.limits().allow(value_of(model_.kinetic_energy(speed)), tolerance_);
     state_type x = model_.touch(speed);
     sliding_.start(x, slip_at_touch, spin);
     stick_slip_.start(slip_at_touch);
@@ -120,6 +120,7 @@ private:
 
   bool follow_contact(state_type& x, method_type& method) {
     kink_grading<real> kink{.closest = sqrt(tolerance_) / 16};
+    on_this_way_ = 0;
     events_.restart(x, approaching_);
     if (!Reduced::adhesive) // the overlap starts at zero
       events_.disarm(event::letting_go);
@@ -129,7 +130,7 @@ private:
       h = shorter;
     };
     while (may_go_on(h)) {
-      h = std::min<real>(h, longest_step_);
+      h = std::min<real>(h, std::max<real>(longest_step_, longest_relative_step(tolerance_) * on_this_way_ / 8));
       if (!glides(method))
         h = kink.graded(h, edge_.time_to_rest(x, flow_.piece));
       const auto tried = method.try_step(flow_, x, h);
@@ -149,6 +150,7 @@ private:
         if constexpr (Reduced::attracted) // its well is deepest between touch and turning
           ledger_.meet(now(x));
         kink.since += tried.taken;
+        on_this_way_ += tried.taken;
         h = tried.next;
         method.moved();
         if constexpr (Reduced::free_edge)
@@ -215,6 +217,7 @@ private:
       return;
     }
     approaching_ = !approaching_;
+    on_this_way_ = 0;
     if (!std::exchange(has_turned_, true))
       energy_at_turning_ = model_.potential(now(x));
     observers_.turned(model_, x, flow_.piece);
@@ -277,6 +280,7 @@ private:
   real tolerance_, usual_error_ = 0;
   long budget_;
   real longest_step_;
+  real on_this_way_ = 0; ///< slowed time since touch or turning; much longer than a collision's where bodies creep
   outcome_type out_;
   bool approaching_ = true, has_turned_ = false;
   T energy_at_turning_ = T(0);

@@ -27,16 +27,19 @@ public:
 
   explicit edge_limits(const Reduced& model) : model_(model) {}
 
-  /// \param energy by which the edge's losses may be wrong
-  void allow(const real& energy) {
+  /// Solutions at different step tolerances are held at different places, and their difference shows what that does.
+  /// \param kinetic energy at touch, of which the edge's losses may be wrong by about the step tolerance
+  void allow(const real& kinetic, const real& tolerance) {
     if constexpr (exist) {
+      const real energy = kinetic * std::min<real>(tolerance, sqrt(tolerance * real(1e-6f))) / 2;
+      const real widest = sqrt(tolerance) / 8;
       const real a = value_of(T(model_.adhesion.equilibrium_radius(model_.pair)));
       const real area = pi<real>() * (2 * value_of(T(model_.pair.reduced_radius)) + 4 * a * a);
       const real at_rest = value_of(T(model_.adhesion.work_of_adhesion)) * area;
       const T lowest = model_.crack.lowest_ratio(), highest = model_.crack.highest_ratio();
       const auto margin = [&](const T& ratio) -> real {
         const real part = energy / (at_rest * value_of(ratio));
-        return part > real(1e-12f) ? std::min<real>(part, real(1e-3f)) : real(0); // below, round-off decides
+        return part > real(1e-12f) ? std::min<real>(part, widest) : real(0); // below, round-off decides
       };
       if (margin(lowest) > real(0))
         closing_root_ = sqrt(T(lowest * T(1 + margin(lowest))));
