@@ -20,7 +20,8 @@ std::string help_on_columns() {
   std::string text = R"(
 INPUT
   The first line names the columns, in any order; each further line is a collision. Numbers are in SI units, with a
-  decimal point. Cells are separated by commas. Lines before the header that begin with # are comments.
+  decimal point. Cells are separated by commas. Lines before the header that begin with # are comments. The text is
+  UTF-8; a line, or a row whose quoted cells hold line ends, has at most 1 MiB.
 
   column                     unit    needed by
 )";
@@ -58,6 +59,8 @@ OUTPUT
   text += output_help();
   text += R"(
   A row that cannot be computed is marked failed, with the reason on standard error, and the others go on.
+  With -o the rows are in FILE.part until it is whole; after an interruption the same command goes on from there, once
+  each row kept has been found in the input. Delete FILE.part to begin anew.
   Exit status: 0 all rows computed, 1 some failed or unresolved, 2 wrong use or unreadable file.
 
 EXAMPLE

@@ -1,5 +1,8 @@
 #include "csv_reader.hpp"
 #include "errors.hpp"
+#include "utf8.hpp"
+
+#include <fmt/format.h>
 
 #include <new>
 #include <utility>
@@ -23,9 +26,20 @@ void take_cell(void* text, std::size_t size, void* data) {
 
 void take_end(int, void* data) { static_cast<filling*>(data)->complete = true; }
 
+void make_text(csv_record& record) {
+  for (std::size_t i = 0; i < record.cells.size(); ++i)
+    if (std::string why = why_no_text(record.cells[i]); !why.empty()) {
+      record.cells[i] = as_text(record.cells[i]);
+      if (record.error.empty()) {
+        record.error = std::move(why);
+        record.bad_cell = i;
+      }
+    }
+}
+
 } // namespace
 
-csv_reader::csv_reader(std::istream& in) : in_(in) { start_afresh(); }
+csv_reader::csv_reader(std::istream& in) : lines_(in) { start_afresh(); }
 
 csv_reader::~csv_reader() { csv_free(&parser_); }
 
@@ -36,65 +50,77 @@ void csv_reader::start_afresh() {
   csv_set_space_func(&parser_, [](unsigned char) { return 0; }); // cells keep their spaces
 }
 
-bool csv_reader::read_line() {
-  line_.clear();
-  char c = 0;
-  while (in_.get(c)) {
-    line_ += c;
-    if (c == '\r' && in_.peek() == '\n')
-      continue;
-    if (c == '\n' || c == '\r')
-      break;
-  }
-  if (in_.bad())
-    throw file_error("the input cannot be read");
-  if (line_.empty())
-    return false;
-  if (++line_number_ == 1 && line_.starts_with("\xEF\xBB\xBF"))
-    line_.erase(0, 3);
-  return true;
-}
-
 std::vector<std::string> csv_reader::comments() {
   std::vector<std::string> found;
-  while (read_line()) {
-    const std::string text = line_.substr(0, line_.find_last_not_of(blanks) + 1);
-    unread_ = !text.empty() && text.front() != '#';
-    if (unread_)
+  for (text_line line; lines_.take(line);) {
+    const std::string text = line.text.substr(0, line.text.find_last_not_of(blanks) + 1);
+    if (line.too_long || (!text.empty() && text.front() != '#')) {
+      lines_.put_back({std::move(line)});
       break;
+    }
     if (!text.empty())
-      found.push_back(text);
+      found.push_back(as_text(text));
   }
   return found;
 }
 
 bool csv_reader::next(csv_record& record) {
+  text_line first;
   do
-    if (!std::exchange(unread_, false) && !read_line())
+    if (!lines_.take(first))
       return false;
-  while (line_.find_first_not_of(blanks) == std::string::npos);
-  record = {.line = line_number_, .cells = {}, .error = {}};
-  parse(record);
+  while (!first.too_long && first.text.find_first_not_of(blanks) == std::string::npos);
+  record = {.line = first.number, .lines = 1, .end = first.end, .cells = {}, .error = {}, .bad_cell = {}};
+  if (first.too_long)
+    record.error = fmt::format("the line is longer than {} bytes", text_lines::longest);
+  else
+    parse(first, record);
+  make_text(record);
   return true;
 }
 
-void csv_reader::parse(csv_record& record) {
+void csv_reader::parse(const text_line& first, csv_record& record) {
+  constexpr const char* open = "a quoted cell is not closed by a quote on this line, nor well on those behind it";
+  constexpr const char* misplaced =
+      "misplaced quote: a cell that holds a quote begins and ends with one, and doubles those within";
   filling data{record};
-  bool more = true;
-  while (more && !data.complete) {
-    if (csv_parse(&parser_, line_.data(), line_.size(), take_cell, take_end, &data) != line_.size())
+  std::vector<text_line> more;
+  std::size_t size = 0, cells_of_first = 0;
+  for (const text_line* line = &first;; line = &more.back()) {
+    size += line->text.size();
+    const bool fits = !line->too_long && size <= text_lines::longest && more.size() < most_lines;
+    if (!fits || csv_parse(&parser_, line->text.data(), line->text.size(), take_cell, take_end, &data) !=
+                     size_t(line->text.size())) {
+      record.error = more.empty() ? misplaced : open;
       break;
-    more = data.complete || read_line();
+    }
+    if (line == &first)
+      cells_of_first = record.cells.size();
+    if (data.complete)
+      break;
+    if (text_line another; lines_.take(another)) {
+      more.push_back(std::move(another));
+    } else {
+      if (csv_fini(&parser_, take_cell, take_end, &data) != 0)
+        record.error = open;
+      start_afresh();
+      break;
+    }
   }
-  if (!more && csv_fini(&parser_, take_cell, take_end, &data) != 0) {
-    record.error = "a quoted cell is not closed by a quote before the end of the file";
-  } else if (const int why = csv_error(&parser_); why == CSV_ENOMEM || why == CSV_ETOOBIG) {
+  if (const int why = csv_error(&parser_); why == CSV_ENOMEM || why == CSV_ETOOBIG)
     throw std::bad_alloc();
-  } else if (why != CSV_SUCCESS) {
-    record.error = "misplaced quote: a cell that holds a quote begins and ends with one, and doubles those within";
+  if (!more.empty() && record.error.empty() && expected_ && record.cells.size() != *expected_)
+    record.error = open;
+  if (record.error.empty()) {
+    if (!more.empty())
+      record.end = more.back().end;
+    record.lines = 1 + more.size();
+    return;
   }
-  if (!more || !record.error.empty())
-    start_afresh();
+  start_afresh();
+  if (!more.empty())
+    record.cells.resize(cells_of_first);
+  lines_.put_back(std::move(more));
 }
 
 } // namespace collisions

@@ -1,5 +1,7 @@
 // What can be wrong with a file, and with one of its rows.
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,11 +21,13 @@ struct row_error : std::runtime_error {
 
 /// Text for a message: in double quotes, on one line and not too long.
 inline std::string quoted(const std::string& text) {
-  constexpr std::size_t longest = 60;
+  std::size_t shown = std::min<std::size_t>(text.size(), 60);
+  while (shown > 0 && shown < text.size() && (static_cast<unsigned char>(text[shown]) & 0xC0) == 0x80)
+    --shown; // not within a character
   std::string out = "\"";
-  for (const char c : text.substr(0, longest))
+  for (const char c : text.substr(0, shown))
     out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return out + (text.size() > longest ? "...\"" : "\"");
+  return out + (text.size() > shown ? "...\"" : "\"");
 }
 
 } // namespace collisions

@@ -77,6 +77,9 @@ std::optional<std::string> meant_by(const std::string& name, const header& heade
   for (const input_column& column : columns) {
     if (name == column.name)
       return {};
+    if (name.size() >
+        std::string_view(column.name).size() + farthest) // before its letters are compared: it may be long
+      continue;
     const auto how_far = std::pair(edit_distance(name, column.name), header.has(column.name));
     if (how_far < least && letters_for_each * how_far.first <= std::string_view(column.name).size()) {
       least = how_far;

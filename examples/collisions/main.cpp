@@ -2,10 +2,11 @@
 #include "arguments.hpp"
 #include "csv_reader.hpp"
 #include "input_columns.hpp"
+#include "kept_rows.hpp"
 #include "messages.hpp"
 #include "output_file.hpp"
 #include "output_table.hpp"
-#include "scene_reader.hpp"
+#include "row_solver.hpp"
 
 #include <ricochet/version.hpp>
 
@@ -48,24 +49,23 @@ header read_header(csv_reader& input, const std::string& name) {
                                other_separator ? "; cells are to be separated by commas" : " (see --help)"));
 }
 
-/// One row's outcome; nothing where the row is bad, which is said.
-std::optional<outcome> solve_row(const header& columns, const csv_record& record, const arguments& given,
-                                 scene_reader& scenes, messages& messages) {
-  const auto bad = [&](const std::string& place, const char* reason) {
-    messages.say(fmt::format("line {}{}{}: {}", record.line, place.empty() ? "" : ", ", place, reason));
-    return std::nullopt;
-  };
-  try {
-    return given.stepper.solve(scenes.read(row(columns, record)), given.tolerance);
-  } catch (const row_error& error) {
-    return bad(error.place, error.what());
-  } catch (const ricochet::bad_input& refused) { // quantities that are impossible only together
-    return bad("", refused.what());
-  }
+std::string head_of_output(const arguments& given, const std::vector<std::string>& comments, const header& columns) {
+  std::string head = fmt::format("# ricochet {} collisions\n# command: {}\n", ricochet::version, given.command);
+  head += units_line();
+  for (const std::string& comment : comments)
+    head += comment + '\n';
+  return head + header_line(columns);
 }
 
-bool is_resolved(const outcome& out) {
-  return out.ending == ricochet::ending::separated || out.ending == ricochet::ending::captured;
+/// Takes what an interrupted run has left of this input; then `record` is the first row that is to be solved, if there
+/// is one, which is returned. \throws file_error if it is of another input.
+bool skip_kept_rows(kept_rows& kept, csv_reader& input, csv_record& record, row_solver& solver) {
+  bool there_is_one = input.next(record);
+  for (; there_is_one && kept.more(); there_is_one = input.next(record))
+    solver.count(kept.take(record));
+  if (kept.more())
+    kept.refuse_the_rest();
+  return there_is_one;
 }
 
 /// True if every row was computed. \throws file_error
@@ -79,37 +79,30 @@ bool run(const arguments& given) {
   csv_reader input(given.input.empty() ? std::cin : file);
   const std::vector<std::string> comments = input.comments();
   const header columns = read_header(input, name);
+  input.expect(columns.cells().size());
 
   output_file output(given.output);
   messages messages(output.is_terminal());
-  output.write(fmt::format("# ricochet {} collisions\n# command: {}\n", ricochet::version, given.command));
-  output.write(units_line());
-  for (const std::string& comment : comments)
-    output.write(comment + '\n');
-  output.write(header_line(columns));
-
   for (const std::string& note : notes_on_misspelt(columns))
     messages.say(note);
 
-  scene_reader scenes;
-  bool all_went_well = true;
-  long warned = 0;
-  for (csv_record record; input.next(record); messages.row_done()) {
-    const std::optional<outcome> result = solve_row(columns, record, given, scenes, messages);
-    if (result && !is_resolved(*result))
-      messages.say(fmt::format("line {}: {}: {}", record.line, ricochet::name_of(result->ending), result->reason));
-    else if (result && !result->ending_is_certain)
-      messages.say(fmt::format("line {}: note: so near the threshold of sticking that {} is not certain", record.line,
-                               ricochet::name_of(result->ending)));
-    warned += result && is_resolved(*result) && !result->warnings.empty();
-    all_went_well = all_went_well && result && is_resolved(*result);
-    output.write(row_line(columns, record, result ? &*result : nullptr));
-  }
-  if (warned > 0)
-    messages.say(fmt::format("note: {} of the rows {} laws outside their range; see the column warnings", warned,
-                             warned == 1 ? "uses" : "use"));
+  const std::string head = head_of_output(given, comments, columns);
+  kept_rows kept(output.part(), head, columns);
+  row_solver solver(columns, given, messages);
+  csv_record record;
+  bool there_is_one = skip_kept_rows(kept, input, record, solver);
+  output.keep(kept.size());
+  if (kept.size() == 0)
+    output.write(head);
+  if (solver.rows() > 0)
+    messages.say(fmt::format(
+        "going on after {} rows kept in {}{}", solver.rows(), output.part(),
+        solver.unresolved() > 0 ? fmt::format(", {} of them failed or unresolved", solver.unresolved()) : ""));
+  for (; there_is_one; there_is_one = input.next(record))
+    output.write(solver.line_of(record));
+  solver.say_at_the_end();
   output.finish();
-  return all_went_well;
+  return solver.unresolved() == 0;
 }
 
 } // namespace

@@ -144,10 +144,16 @@ std::string header_line(const header& header) {
   return line;
 }
 
+std::vector<std::string> copied_cells(const header& header, const csv_record& record) {
+  std::vector<std::string> cells = record.cells;
+  cells.resize(header.cells().size());
+  return cells;
+}
+
 std::string row_line(const header& header, const csv_record& record, const outcome* result) {
   std::string line;
-  for (std::size_t i = 0; i < header.cells().size(); ++i)
-    line += (i < record.cells.size() ? cell(record.cells[i]) : "") + ',';
+  for (const std::string& copied : copied_cells(header, record))
+    line += cell(copied) + ',';
   const bool failed = !result || result->ending == ending::failed;
   for (const output_column& column : columns) {
     if (!failed)
@@ -157,6 +163,19 @@ std::string row_line(const header& header, const csv_record& record, const outco
     line += &column == &columns.back() ? '\n' : ',';
   }
   return line;
+}
+
+std::optional<written_row> read_written(const header& header, const csv_record& record) {
+  const std::size_t copied = header.cells().size();
+  if (!record.error.empty() || record.cells.size() != copied + columns.size())
+    return {};
+  const auto first = record.cells.begin() + static_cast<std::ptrdiff_t>(copied);
+  static_assert(std::string_view(columns.front().name) == "ending" &&
+                std::string_view(columns.back().name) == "warnings");
+  return written_row{.copied = {record.cells.begin(), first},
+                     .resolved = *first == ricochet::name_of(ending::separated) ||
+                                 *first == ricochet::name_of(ending::captured),
+                     .warned = !record.cells.back().empty()};
 }
 
 } // namespace collisions

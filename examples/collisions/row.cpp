@@ -21,8 +21,13 @@ header::header(const csv_record& record) : cells_(record.cells) {
 }
 
 row::row(const header& header, const csv_record& record) : header_(header), record_(record) {
-  if (!record.error.empty())
-    throw row_error("", record.error);
+  if (!record.error.empty()) {
+    const std::size_t at = record.bad_cell.value_or(header.cells().size());
+    throw row_error(at < header.cells().size() ? fmt::format("column {}, value {}", quoted(trimmed(header.cells()[at])),
+                                                             quoted(record.cells[at]))
+                                               : "",
+                    record.error);
+  }
   if (record.cells.size() != header.cells().size())
     throw row_error("", fmt::format("the row has {} cells, the header {}", record.cells.size(), header.cells().size()));
 }

@@ -25,13 +25,15 @@ inline void validate(const material& solid, const std::string& whose = "") {
 }
 
 /// Total work of adhesion of two solids, w = 2 sqrt(gamma_1 gamma_2): twice the surface free energy for like bodies
-/// [Krijt 2013, footnote 8]. \throws bad_input if either surface free energy is unknown or negative.
+/// [Krijt 2013, footnote 8]. \throws bad_input if either surface free energy is unknown or negative, or the work too
+/// large for a number.
 inline energy_per_area work_of_adhesion(const material& one, const material& other) {
   if (!one.surface_free_energy || !other.surface_free_energy)
     throw bad_input("surface_free_energy of the material is not known: give the work of adhesion itself");
   require("first surface_free_energy", *one.surface_free_energy, non_negative);
   require("second surface_free_energy", *other.surface_free_energy, non_negative);
-  return 2.0 * sqrt(*one.surface_free_energy * *other.surface_free_energy);
+  return required("work_of_adhesion",
+                  energy_per_area(2.0 * sqrt(*one.surface_free_energy * *other.surface_free_energy)), non_negative);
 }
 
 } // namespace ricochet

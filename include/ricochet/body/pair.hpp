@@ -27,27 +27,42 @@ inline auto compliance(const material& solid) { return (1 - square(solid.poisson
 } // namespace detail
 
 /// \throws bad_input naming quantity, value and range.
+inline void validate(const contact_pair& pair) {
+  require("reduced_modulus", pair.reduced_modulus, positive);
+  require("reduced_radius", pair.reduced_radius, positive);
+  require("reduced_mass", pair.reduced_mass, positive);
+}
+
+/// \throws bad_input naming quantity, value and range; `whose` goes before its name.
+inline void validate(const sphere& body, const std::string& whose = "") {
+  validate(body.solid, whose);
+  require(whose + "radius", body.radius, positive);
+  require(whose + "mass", body.mass(), positive); // its density and radius may be within their ranges all the same
+}
+
+/// \throws bad_input naming quantity, value and range.
 inline contact_pair between(const sphere& one, const sphere& other) {
-  validate(one.solid, "first sphere: ");
-  require("first sphere: radius", one.radius, positive);
-  validate(other.solid, "second sphere: ");
-  require("second sphere: radius", other.radius, positive);
-  return {.reduced_modulus = 1.0 / (detail::compliance(one.solid) + detail::compliance(other.solid)),
-          .reduced_radius = 1.0 / (1.0 / one.radius + 1.0 / other.radius),
-          .reduced_mass = 1.0 / (1.0 / one.mass() + 1.0 / other.mass()),
-          .bodies = {one.radius, other.radius, one.mass(), other.mass()}};
+  validate(one, "first sphere: ");
+  validate(other, "second sphere: ");
+  const contact_pair pair{.reduced_modulus = 1.0 / (detail::compliance(one.solid) + detail::compliance(other.solid)),
+                          .reduced_radius = 1.0 / (1.0 / one.radius + 1.0 / other.radius),
+                          .reduced_mass = 1.0 / (1.0 / one.mass() + 1.0 / other.mass()),
+                          .bodies = {one.radius, other.radius, one.mass(), other.mass()}};
+  validate(pair);
+  return pair;
 }
 
 /// \throws bad_input naming quantity, value and range.
 inline contact_pair between(const sphere& body, const flat_wall& wall) {
-  validate(body.solid, "sphere: ");
-  require("sphere: radius", body.radius, positive);
+  validate(body, "sphere: ");
   validate(wall.solid, "wall: ");
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  return {.reduced_modulus = 1.0 / (detail::compliance(body.solid) + detail::compliance(wall.solid)),
-          .reduced_radius = body.radius,
-          .reduced_mass = body.mass(),
-          .bodies = {body.radius, infinite * units::metres, body.mass(), infinite * units::kilograms}};
+  const contact_pair pair{.reduced_modulus = 1.0 / (detail::compliance(body.solid) + detail::compliance(wall.solid)),
+                          .reduced_radius = body.radius,
+                          .reduced_mass = body.mass(),
+                          .bodies = {body.radius, infinite * units::metres, body.mass(), infinite * units::kilograms}};
+  validate(pair);
+  return pair;
 }
 
 } // namespace ricochet

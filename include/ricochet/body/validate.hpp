@@ -60,6 +60,14 @@ void require(std::string_view name, const Quantity& quantity, const range& allow
     detail::refuse(name, in_si(quantity), unit_symbol(quantity), allowed);
 }
 
+/// The quantity itself: for one that is made of others, which may be within their ranges and yet too large or too small
+/// together. \throws bad_input if it lies outside its range.
+template <class Quantity>
+Quantity required(std::string_view name, const Quantity& quantity, const range& allowed) {
+  require(name, quantity, allowed);
+  return quantity;
+}
+
 /// One parameter of a law: its name, where it lives and what it may be.
 template <class Member>
 struct parameter {

@@ -14,7 +14,8 @@ inline inverse_speed damping_coefficient_of_brach_dunn(double zeta, const contac
   require("speed", v, positive);
   const double stiffness = 4. / 3 * in_si(pair.reduced_modulus);
   const double group = in_si(pair.reduced_mass) / (cube(in_si(pair.reduced_radius)) * stiffness * std::sqrt(in_si(v)));
-  return zeta * std::pow(group, 0.4) * units::seconds_per_metre;
+  return required("damping_coefficient", inverse_speed(zeta * std::pow(group, 0.4) * units::seconds_per_metre),
+                  non_negative);
 }
 
 /// Depth at which ring force and Hertzian force balance.

@@ -9,13 +9,6 @@ namespace ricochet::closed_form {
 namespace detail {
 
 /// \throws bad_input naming quantity, value and range.
-inline void validate(const contact_pair& pair) {
-  require("reduced_modulus", pair.reduced_modulus, positive);
-  require("reduced_radius", pair.reduced_radius, positive);
-  require("reduced_mass", pair.reduced_mass, positive);
-}
-
-/// \throws bad_input naming quantity, value and range.
 inline void validate(const contact_pair& pair, const speed& v) {
   validate(pair);
   require("speed", v, positive);

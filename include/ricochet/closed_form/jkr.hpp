@@ -49,7 +49,7 @@ struct jkr_impact {
 /// Source: Krijt 2013 (25), which prints 14.18.
 inline speed sticking_speed(const contact_pair& pair, energy_per_area w) {
   using boost::units::pow;
-  detail::validate(pair);
+  validate(pair);
   require("work_of_adhesion", w, non_negative);
   const double factor = 2 * std::pow(pi<double>(), 5. / 3) * (0.6 * std::cbrt(4.) + 0.1);
   return boost::units::root<6>(pow<3>(factor / pair.reduced_mass) * pow<5>(w) *

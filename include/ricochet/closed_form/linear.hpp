@@ -55,7 +55,8 @@ inline damping damping_coefficient_of(double damping_ratio, const contact_pair& 
   require("damping_ratio", damping_ratio, non_negative);
   require("reduced_mass", pair.reduced_mass, positive);
   require("stiffness", spring.stiffness, positive);
-  return 2 * damping_ratio * boost::units::root<2>(pair.reduced_mass * spring.stiffness);
+  const damping c = 2 * damping_ratio * boost::units::root<2>(pair.reduced_mass * spring.stiffness);
+  return required("damping_coefficient", c, non_negative);
 }
 
 } // namespace ricochet::closed_form

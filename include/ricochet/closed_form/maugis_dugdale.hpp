@@ -15,7 +15,7 @@ class maugis_dugdale_contact {
 public:
   /// \throws bad_input where the law is refused by compose().
   maugis_dugdale_contact(const contact_pair& pair, const ricochet::maugis_dugdale& law) : pair_(pair), law_(law) {
-    detail::validate(pair);
+    validate(pair);
     validate_law(law);
     law.validate(pair);
     branch_ = law.branch(pair, ricochet::sqrt(pair.reduced_radius * law.interaction_range));

@@ -11,7 +11,7 @@ namespace ricochet::closed_form {
 /// Source: Krijt 2013 (11).
 inline double tabor_number(const contact_pair& pair, energy_per_area w, length z0) {
   using boost::units::pow;
-  detail::validate(pair);
+  validate(pair);
   require("work_of_adhesion", w, non_negative);
   require("interaction_range", z0, positive);
   return boost::units::root<3>(pow<2>(w / (pair.reduced_modulus * z0)) * pair.reduced_radius / z0);
@@ -35,7 +35,7 @@ inline duration quasi_static_bulk_limit(double poissons_ratio, duration contact_
 /// static. Source: Krijt 2013 (A.4).
 inline duration quasi_static_edge_limit(const contact_pair& pair, energy_per_area w, length z0, length contact_radius,
                                         duration contact_time) {
-  detail::validate(pair);
+  validate(pair);
   require("work_of_adhesion", w, positive);
   require("interaction_range", z0, positive);
   require("contact_radius", contact_radius, positive);

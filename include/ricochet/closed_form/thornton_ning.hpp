@@ -52,7 +52,7 @@ inline double yield_speed_factor() { return square(square(pi<double>())) * pi<do
 /// Source: Krijt 2013 (28), which prints 10.2; Thornton & Ning 1998.
 inline speed yield_speed(const contact_pair& pair, modulus yield_strength) {
   using boost::units::pow;
-  detail::validate(pair);
+  validate(pair);
   const modulus pressure = contact_yield_pressure(yield_strength);
   return square(double(pressure / pair.reduced_modulus)) *
          sqrt(yield_speed_factor() * pow<3>(pair.reduced_radius) * pressure / pair.reduced_mass);

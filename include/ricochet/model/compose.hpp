@@ -197,9 +197,7 @@ auto compose(const contact_pair& pair, const Arguments&... arguments) {
       n.end == 0 || n.adhesion == 0,
       "an end condition is only for contacts without adhesion: with adhesion the contact lets go where it tears");
   if constexpr (composable<Arguments...>) {
-    require("reduced_modulus", pair.reduced_modulus, positive);
-    require("reduced_radius", pair.reduced_radius, positive);
-    require("reduced_mass", pair.reduced_mass, positive);
+    validate(pair);
     auto elastic = detail::pick<role::elastic>(absent<role::elastic>{}, arguments...);
     auto adhesion = detail::pick<role::adhesion>(absent<role::adhesion>{}, arguments...);
     auto crack = detail::pick<role::crack>(absent<role::crack>{}, arguments...);

@@ -29,7 +29,7 @@ using kuwabara_kono = kuwabara_kono_law<dimensional>;
 inline duration bulk_time_of_krijt(duration relaxation_time, double poissons_ratio) {
   require("relaxation_time", relaxation_time, non_negative);
   require("poissons_ratio", poissons_ratio, range{.high = 0.5, .low_included = false});
-  return relaxation_time / square(poissons_ratio);
+  return required("bulk_time", duration(relaxation_time / square(poissons_ratio)), non_negative);
 }
 
 /// A = (1-k) T_vis, the slow limit of the three-element solid whose edge law `greenwood` is.
@@ -49,7 +49,8 @@ inline duration bulk_time_of_pair(const material& one, duration time_of_one, con
   require("first bulk_time", time_of_one, non_negative);
   require("second bulk_time", time_of_other, non_negative);
   const auto first = detail::compliance(one), second = detail::compliance(other);
-  return (first * time_of_one + second * time_of_other) / (first + second);
+  return required("bulk_time", duration((first * time_of_one + second * time_of_other) / (first + second)),
+                  non_negative);
 }
 
 } // namespace ricochet

@@ -42,7 +42,8 @@ inline double stiffness_ratio_of(const material& one, const material& other) {
   const auto along = [](const material& m) { // (2 - nu)/G
     return 2 * (2 - m.poissons_ratio) * (1 + m.poissons_ratio) / m.youngs_modulus;
   };
-  return 4.0 * (detail::compliance(one) + detail::compliance(other)) / (along(one) + along(other));
+  const double ratio = 4.0 * (detail::compliance(one) + detail::compliance(other)) / (along(one) + along(other));
+  return required("stiffness_ratio", ratio, stiffness_ratio_range);
 }
 
 } // namespace ricochet
