@@ -32,6 +32,7 @@ void agrees(const Compose& compose_scene) {
 BOOST_AUTO_TEST_CASE(closed_outcomes_are_those_of_the_integration) {
   agrees([](const scene& s) { return hertzian(s); });
   agrees([](const scene& s) { return static_jkr(s); });
+  agrees([](const scene& s) { return hertzian(s, dmt{s.work_of_adhesion}); });
   agrees([](const scene& s) { return hunt_crossley_hertz(s); });
   agrees([](const scene& s) { return viscous_hertz(s); });
   agrees([](const scene& s) { return viscous_hertz(s, end_at_zero_overlap{}); });

@@ -4,6 +4,7 @@
 #include <ricochet/closed_form/linear.hpp>
 #include <ricochet/closed_form/tsuji.hpp>
 #include <ricochet/closed_form/viscoelastic_hertz.hpp>
+#include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/damping/hunt_crossley.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/damping/tsuji.hpp>
@@ -20,6 +21,9 @@ template <class End, requests Asked>
 struct is_solved<contact_model<hertz, absent<role::adhesion>, absent<role::crack>, absent<role::damping>,
                                absent<role::tangential>, absent<role::plasticity>, End, Asked>>
     : std::bool_constant<!Asked.ledger && !Asked.extremes && !Asked.trajectory> {};
+template <class End, requests Asked>
+struct is_solved<contact_model<hertz, dmt, absent<role::crack>, absent<role::damping>, absent<role::tangential>,
+                               absent<role::plasticity>, End, Asked>> : std::bool_constant<Asked.outcome_only()> {};
 template <class End, requests Asked>
 struct is_solved<contact_model<hertz, jkr, absent<role::crack>, absent<role::damping>, absent<role::tangential>,
                                absent<role::plasticity>, End, Asked>> : std::bool_constant<Asked.outcome_only()> {};
