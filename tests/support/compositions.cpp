@@ -74,6 +74,15 @@ std::vector<composition> list() {
              [](const scene& s, auto... also) {
                return hertzian(s, maugis_dugdale{s.work_of_adhesion, s.interaction_range}, also...);
              });
+  all.push_back(named("hertz+end_at_zero_overlap",
+                      [](const scene& s, auto... also) { return hertzian(s, end_at_zero_overlap{}, also...); }));
+  all.push_back(named("hertz+kuwabara_kono+end_at_zero_overlap",
+                      [](const scene& s, auto... also) { return viscous_hertz(s, end_at_zero_overlap{}, also...); }));
+  all.push_back(named("hertz+hunt_crossley+end_at_zero_overlap", [](const scene& s, auto... also) {
+    return hunt_crossley_hertz(s, end_at_zero_overlap{}, also...);
+  }));
+  all.push_back(named("hertz+tsuji+end_at_zero_overlap",
+                      [](const scene& s, auto... also) { return tsuji_hertz(s, end_at_zero_overlap{}, also...); }));
   all.push_back(named("greenwood", [](const scene& s, auto... also) { return static_jkr(s, edge(s), also...); }));
   all.push_back(
       named("greenwood+kuwabara_kono", [](const scene& s, auto... also) { return viscous_jkr(s, edge(s), also...); }));
