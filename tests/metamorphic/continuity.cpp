@@ -52,9 +52,9 @@ void check_no_jump(const char* name, const std::vector<point>& curve, double ben
 
 /// At equal ratios.
 template <class Solve>
-std::vector<point> scan(double from, double to, const Solve& solve) {
+std::vector<point> scan(double from, double to, const Solve& solve, std::size_t n = points()) {
   std::vector<point> curve;
-  for (std::size_t i = 0, n = points(); i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const double x = from * std::pow(to / from, static_cast<double>(i) / static_cast<double>(n - 1));
     const auto out = solve(x);
     BOOST_TEST_CONTEXT("at " << x)
@@ -67,8 +67,8 @@ std::vector<point> scan(double from, double to, const Solve& solve) {
 /// Across a switch at `x`, of collide() and against integrate(); `compose_at(x)` makes the model.
 template <class Compose>
 void across(const char* name, double x, const Compose& compose_at, speed v) {
-  const auto curve =
-      scan(x * (1 - 1e-5), x * (1 + 1e-5), [&](double at) { return collide(compose_at(at), impact{v}); });
+  const auto curve = scan( // few points: such damping takes up to 1e7 evaluations where there is no closed form
+      x * (1 - 1e-5), x * (1 + 1e-5), [&](double at) { return collide(compose_at(at), impact{v}); }, 30);
   check_no_jump(name, curve, 1e-14);
   for (const double at : {x * (1 - 1e-9), x, x * (1 + 1e-9)}) {
     const auto closed = collide(compose_at(at), impact{v});
