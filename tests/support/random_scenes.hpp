@@ -20,6 +20,8 @@ using namespace ricochet::units;
 
 /// The numbers of one random scene; which of them matter depends on the laws composed.
 struct scene {
+  sphere one, other; ///< of the other only the material where it is a wall
+  bool wall;
   contact_pair pair;
   energy_per_area work_of_adhesion;
   ricochet::speed speed;
@@ -29,7 +31,21 @@ struct scene {
   inverse_speed hunt_crossley_coefficient;
   ricochet::speed edge_speed;
   double edge_exponent;
+  energy_per_area force_per_length;
+  inverse_speed rebound_coefficient;
+  modulus yield_strength;
 };
+
+inline contact_pair bodies(const scene& s) {
+  return s.wall ? between(s.one, flat_wall{s.other.solid}) : between(s.one, s.other);
+}
+
+/// Strengths from the least that adhesion bears to ten times that: some scenes yield at touch nearly, some not at all.
+inline thornton_ning_contact yielding(const scene& s) {
+  const root_length flattening = jkr{s.work_of_adhesion}.flattening(s.pair);
+  const double times = 1.01 + 2 * square(s.tsuji_coefficient);
+  return {times * thornton_ning_contact{}.least_strength(s.pair, flattening)};
+}
 
 class scenes {
 public:
@@ -43,7 +59,9 @@ public:
     const sphere one{solids[generator_() % 10], log_uniform(5e-7, 1e-4) * metres};
     const sphere other{solids[generator_() % 10], log_uniform(5e-7, 1e-4) * metres};
     scene s{};
-    s.pair = generator_() % 2 ? between(one, other) : between(one, flat_wall{other.solid});
+    s.one = one, s.other = other;
+    s.wall = generator_() % 2 == 0;
+    s.pair = bodies(s);
     s.work_of_adhesion = log_uniform(0.02, 3) * joules_per_square_metre;
     const double E = in_si(s.pair.reduced_modulus), R = in_si(s.pair.reduced_radius), m = in_si(s.pair.reduced_mass);
     const double sticking =
@@ -60,6 +78,9 @@ public:
     const double jump = std::cbrt(6.28 * in_si(s.work_of_adhesion) * R * R / E);
     s.edge_exponent = 0.3 + 0.35 * s.tsuji_coefficient;
     s.edge_speed = 10 * s.modulus_ratio / 2e-3 * jump / contact_time * metres_per_second;
+    s.force_per_length = std::cbrt(square(in_si(s.work_of_adhesion)) * E * R) * newtons_per_metre; // binds as w would
+    s.rebound_coefficient = s.hunt_crossley_coefficient;
+    s.yield_strength = yielding(s).yield_strength;
     return s;
   }
 
@@ -95,12 +116,6 @@ inline auto power_law_jkr(const scene& s, auto... also) {
   return viscous_jkr(s, maugis_barquins{.reference_speed = s.edge_speed, .exponent = s.edge_exponent}, also...);
 }
 
-/// Strengths from the least that adhesion bears to ten times that: some scenes yield at touch nearly, some not at all.
-inline thornton_ning_contact yielding(const scene& s) {
-  const root_length flattening = jkr{s.work_of_adhesion}.flattening(s.pair);
-  const double times = 1.01 + 2 * square(s.tsuji_coefficient);
-  return {times * thornton_ning_contact{}.least_strength(s.pair, flattening)};
-}
 inline auto yielding_hertz(const scene& s, auto... also) { return hertzian(s, yielding(s), also...); }
 inline auto yielding_jkr(const scene& s, auto... also) { return static_jkr(s, yielding(s), also...); }
 inline auto viscous_yielding_jkr(const scene& s, auto... also) { return viscous_jkr(s, yielding(s), also...); }

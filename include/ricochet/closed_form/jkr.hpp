@@ -52,8 +52,10 @@ inline speed sticking_speed(const contact_pair& pair, energy_per_area w) {
   validate(pair);
   require("work_of_adhesion", w, non_negative);
   const double factor = 2 * std::pow(pi<double>(), 5. / 3) * (0.6 * std::cbrt(4.) + 0.1);
-  return boost::units::root<6>(pow<3>(factor / pair.reduced_mass) * pow<5>(w) *
-                               pow<2>(pair.reduced_radius * pair.reduced_radius / pair.reduced_modulus));
+  const double sixth_power = pow<3>(factor / pair.reduced_mass) * pow<5>(w) *
+                             pow<2>(pair.reduced_radius * pair.reduced_radius / pair.reduced_modulus) /
+                             pow<6>(units::metres_per_second);
+  return std::sqrt(std::cbrt(sixth_power)) * units::metres_per_second; // 1/6 is no binary number
 }
 
 /// Restitution, or nothing if the bodies stay together (v <= v_c).

@@ -294,11 +294,18 @@ struct radau {
         constexpr std::size_t by_edge = state_type::names::template index_of<crack_loss_t>();
         for (int i = 0; i < stages; ++i) {
           state_type& here = slope[std::size_t(i)];
-          const auto part = [&](int unknown) -> real {
-            const real ratio = settled(unknown, i) / here[std::size_t(unknown)];
+          const auto part = [&](int first, int last) -> real { // of the slopes in the settled ones
+            real both = 0, own = 0;
+            for (int unknown = first; unknown <= last; ++unknown) {
+              const real slope_there = here[std::size_t(unknown)] / typical_[std::size_t(unknown)];
+              both += settled(unknown, i) / typical_[std::size_t(unknown)] * slope_there;
+              own += slope_there * slope_there;
+            }
+            const real ratio = both / own;
             return std::abs(ratio - 1) < 0.5 ? ratio : 1;
           };
-          const real speed = part(0), clock = part(2);
+          // rate and delta together tell the clock: alone, each has a slope of zero somewhere, delta where bodies turn
+          const real speed = part(0, 0), clock = part(1, 2);
           for (std::size_t j = motion; j < std::size_t(size); ++j)
             here[j] *= j == by_edge ? speed : clock;
         }
