@@ -4,6 +4,10 @@
 
 #include "support/every_law.hpp"
 
+#include <ricochet/model/compose.hpp>
+#include <ricochet/solve/collision.hpp>
+#include <ricochet/solve/steppers.hpp>
+
 using namespace support;
 using fine = multiprecise<50>;
 
@@ -45,4 +49,19 @@ BOOST_AUTO_TEST_CASE(traits) {
   BOOST_TEST(static_cast<double>(abs(number_traits<fine>::euler_gamma() - gamma)) < 1e-45);
   BOOST_TEST(static_cast<double>(cube_root(fine(27)) - 3) < 1e-48);
   BOOST_TEST((cube_root(fine(0)) == 0));
+}
+
+BOOST_AUTO_TEST_CASE(the_end_of_a_contact_is_located_to_the_digits_of_the_number) {
+  // Undamped JKR: what the contact takes is the energy that it has at its fold, less that where the bodies touch.
+  using namespace ricochet::units;
+  const contact_pair pair{1.0 * pascals, 1.0 * metres, 1.0 * kilograms};
+  const auto model = compose(pair, hertz{}, jkr{0.125 * joules_per_square_metre});
+  const reduced_model<fine, std::remove_const_t<decltype(model)>> numbers(model, scales{});
+  const auto touch = numbers.contact(numbers.touch(fine(1)), 0);
+  const fine lost = numbers.adhesion.exit_energy(numbers.pair) - numbers.potential(touch);
+  for (const int v : {1, 2, 3, 4}) {
+    collision<decltype(numbers), stepper::fehlberg78> solver(numbers, fine(1e-26), 1'000'000);
+    const fine e = solver.solve(fine(v)).restitution.value();
+    BOOST_TEST(static_cast<double>(abs(e - sqrt(1 - 2 * lost / (v * v)))) < 1e-26);
+  }
 }

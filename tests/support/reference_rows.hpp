@@ -12,10 +12,10 @@
 namespace support {
 
 /// Rows of a CSV file without quotes, by column name; comment lines are skipped.
-inline std::vector<std::map<std::string, std::string>> read_rows(const std::string& file) {
-  std::ifstream in(std::string(RICOCHET_TEST_DATA) + "/" + file);
+inline std::vector<std::map<std::string, std::string>> rows_of(const std::string& path) {
+  std::ifstream in(path);
   if (!in)
-    throw std::runtime_error("no reference file " + file);
+    throw std::runtime_error("no file " + path);
   std::vector<std::map<std::string, std::string>> rows;
   std::vector<std::string> names;
   for (std::string line; std::getline(in, line);) {
@@ -37,6 +37,13 @@ inline std::vector<std::map<std::string, std::string>> read_rows(const std::stri
   }
   return rows;
 }
+
+#ifdef RICOCHET_TEST_DATA
+/// Those of a file of tests/data.
+inline std::vector<std::map<std::string, std::string>> read_rows(const std::string& file) {
+  return rows_of(std::string(RICOCHET_TEST_DATA) + "/" + file);
+}
+#endif
 
 inline double number(const std::map<std::string, std::string>& row, const std::string& name) {
   return std::stod(row.at(name));

@@ -212,9 +212,11 @@ private:
   /// that derivatives come out.
   template <class Method>
   void locate(event which, Method& method, const state_type& x, found_event<state_type, real>& found) {
-    // How close, in parts of the step, the last Newton step may start: it leaves the motion by the square of that, and
-    // derivatives by itself.
-    const real close_enough = std::same_as<T, real> ? real(1e-7f) : real(1e-13f);
+    // How close, in parts of the step, the last Newton step may start: it leaves the motion by the square of that,
+    // which more digits than double's would show, and derivatives by itself.
+    const real close_enough = std::same_as<T, real>
+                                  ? std::min<real>(real(1e-7f), 7 * sqrt(std::numeric_limits<real>::epsilon()))
+                                  : real(1e-13f);
     const real h = found.part, round_off = std::numeric_limits<real>::epsilon() * h;
     state_type here = x, slope{};
     const auto look = [&](const real& part, const real& side) -> point { // slope by a difference to one side
