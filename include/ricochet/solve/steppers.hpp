@@ -35,6 +35,24 @@ using doubled_of_odeint = doubled<of_odeint<Stepper>::template on>;
 
 using runge_kutta4 = doubled_of_odeint<odeint::runge_kutta4>;
 
+/// The state a time h from x, in as many steps of a copy of odeint's bulirsch_stoer as it takes.
+template <class Extrapolation, class Flow>
+typename Flow::state_type extrapolated(Extrapolation stepper, Flow& f, typename Flow::state_type x,
+                                       const typename Flow::real& h) {
+  using real = typename Flow::real;
+  typename Flow::state_type out{};
+  real t = 0, next = h;
+  for (int tries = 0; tries < 1000; ++tries) {
+    next = std::min<real>(next, h - t);
+    if (stepper.try_step(std::ref(f), x, t, out, next) == odeint::success)
+      x = out;
+    if (!(t < h))
+      return x;
+  }
+  x.fill(std::numeric_limits<real>::quiet_NaN()); // it gets no further: the event is to be sought in less
+  return x;
+}
+
 /// odeint's Bulirsch-Stoer extrapolation, which controls its own step.
 struct bulirsch_stoer {
   static constexpr double usual_error = 0.25;
@@ -58,20 +76,7 @@ struct bulirsch_stoer {
       return {done, out, h, done ? std::min<real>(next, 8 * h) : std::min<real>(next, h / 2)};
     }
 
-    state_type within(Flow& f, const state_type& x, const real& h) {
-      stepper_type fresh = stepper_;
-      state_type from = x, out{};
-      real t = 0, next = h;
-      for (int tries = 0; tries < 1000; ++tries) {
-        next = std::min<real>(next, h - t);
-        if (fresh.try_step(std::ref(f), from, t, out, next) == odeint::success)
-          from = out;
-        if (!(t < h))
-          return from;
-      }
-      from.fill(std::numeric_limits<real>::quiet_NaN()); // it gets no further: the event is to be sought in less
-      return from;
-    }
+    state_type within(Flow& f, const state_type& x, const real& h) { return extrapolated(stepper_, f, x, h); }
 
     void moved() {}
 
@@ -80,18 +85,21 @@ struct bulirsch_stoer {
   };
 };
 
-/// The same with its own dense output, in which events are located.
+/// The same in its form with dense output, whose steps are longer. The output itself errs more than they do, and is
+/// not used: events are stepped to.
 struct bulirsch_stoer_dense_out {
-  static constexpr double usual_error = 8; ///< its dense output errs more than its steps: tests/campaign
+  static constexpr double usual_error = 0.25;
 
   template <class Flow>
   class method {
     using state_type = typename Flow::state_type;
     using real = typename Flow::real;
     using stepper_type = odeint::bulirsch_stoer_dense_out<state_type, real, state_type, real, odeint::array_algebra>;
+    using within_type = odeint::bulirsch_stoer<state_type, real, state_type, real, odeint::array_algebra>;
 
   public:
-    method(const real& tolerance, const state_type&) : stepper_(tolerance, real(0), real(0), real(0), true) {}
+    method(const real& tolerance, const state_type&)
+        : stepper_(tolerance, real(0), real(0), real(0), true), within_(tolerance, real(0), real(0), real(0)) {}
 
     attempt<state_type, real> try_step(Flow& f, const state_type& x, const real& h) {
       f.outside = false;
@@ -108,16 +116,13 @@ struct bulirsch_stoer_dense_out {
       return {true, stepper_.current_state(), taken, stepper_.current_time_step()};
     }
 
-    state_type within(Flow&, const state_type&, const real& h) {
-      state_type out{};
-      stepper_.calc_state(h, out);
-      return out;
-    }
+    state_type within(Flow& f, const state_type& x, const real& h) { return extrapolated(within_, f, x, h); }
 
     void moved() {}
 
   private:
     stepper_type stepper_;
+    within_type within_;
   };
 };
 
