@@ -17,7 +17,7 @@ namespace detail {
 
 /// Solves at two step tolerances until their difference says that the restitution is known to the tolerance and the
 /// ledger, if there is one, closes to it, or until round-off forbids better. The finer solution is the result, the
-/// difference the bound of its error.
+/// difference the bound of its error; of a ledger that does not close to the tolerance, what it lacks if that is more.
 template <class Stepper, class Reduced>
 auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& speed,
                         const typename Reduced::number& slip_at_touch, const typename Reduced::number& spin,
@@ -103,8 +103,11 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     real unmet = error; // what is to be brought below the tolerance
     if constexpr (Model::asked.ledger)
       unmet = max<real>(unmet, abs(value_of(out.ledger_residual)) - round_off);
-    if ((unmet <= wanted && out.ending_is_certain) || last_round)
+    if ((unmet <= wanted && out.ending_is_certain) || last_round) {
+      if (unmet > wanted) // a ledger that does not close says so too
+        out.error_estimate = static_cast<double>(max<real>(error, unmet));
       return out;
+    }
     tolerance *= max<real>(real(1e-4), min<real>(real(0.3), wanted / (2 * unmet)));
   }
 }
