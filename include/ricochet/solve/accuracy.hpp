@@ -77,8 +77,10 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
         error = max<real>({abs(e - value_of(*rough.restitution)) * 3 / 2, first_leg * 3 / 2,
                            by_chance / max<real>(e, real(1) / 16)}) +
                 round_off;
-      else // the energy decides: e = sqrt(energy left)
+      else // the energy decides: e = sqrt(energy left); where nothing pulls, the motion itself
         error = min<real>(energy_error / max<real>(e, std::numeric_limits<real>::min()), sqrt(energy_error));
+      if (!Reduced::adhesive && !Reduced::cohesive && !Reduced::attracted && rough.restitution)
+        error = min<real>(error, max<real>(abs(e - value_of(*rough.restitution)) * 2, 4 * by_chance) + round_off);
     } else if (excess < 2 * energy_error) {
       error = sqrt(energy_error);
     }
