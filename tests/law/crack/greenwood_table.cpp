@@ -53,6 +53,7 @@ BOOST_AUTO_TEST_CASE(is_continued_beyond_both_ends) {
     BOOST_TEST(curve->slope(0) == 0);
     BOOST_TEST(curve->value(1e30) == curve->value(greenwood_curve::last));
     BOOST_TEST(curve->value(1e30) > 0);
+    BOOST_TEST(curve->value(std::numeric_limits<double>::quiet_NaN()) == curve->value(0.0)); // and not beyond the table
   }
   // As Q -> 0, Q = alpha/3 for both edges, so 4 alpha/Q = 12; and slowness = 4 alpha k/pi of the closing one.
   BOOST_TEST(std::abs(table.opening.value(0.0) / 12 - 1) < 1e-13); // the table's error
