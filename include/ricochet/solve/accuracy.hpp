@@ -80,7 +80,8 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
       else // the energy decides: e = sqrt(energy left); where nothing pulls, the motion itself
         error = min<real>(energy_error / max<real>(e, std::numeric_limits<real>::min()), sqrt(energy_error));
       if (!Reduced::adhesive && !Reduced::cohesive && !Reduced::attracted && rough.restitution)
-        error = min<real>(error, max<real>(abs(e - value_of(*rough.restitution)) * 2, 4 * by_chance) + round_off);
+        error = min<real>(error, max<real>({abs(e - value_of(*rough.restitution)) * 2, first_leg * 2, 4 * by_chance}) +
+                                     round_off);
     } else if (excess < 2 * energy_error) {
       error = sqrt(energy_error);
     }
@@ -104,7 +105,7 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     }
     real unmet = error; // what is to be brought below the tolerance
     if constexpr (Model::asked.ledger)
-      unmet = max<real>(unmet, abs(value_of(out.ledger_residual)) - round_off);
+      unmet = max<real>(unmet, abs(value_of(out.ledger_residual)) - roundings * std::numeric_limits<real>::epsilon());
     if ((unmet <= wanted && out.ending_is_certain) || last_round) {
       if (unmet > wanted) // a ledger that does not close says so too
         out.error_estimate = static_cast<double>(max<real>(error, unmet));
