@@ -214,6 +214,9 @@ private:
         if (flow_.piece == events_.limits().closing || flow_.piece == events_.limits().opening)
           events_.limits().release(x, flow_.piece);
       flow_.piece = edge_.beyond(x, flow_.piece, which == event::leaving_above);
+      if constexpr (edge_limits<Reduced>::exist)
+        if (flow_.piece == events_.limits().closing || flow_.piece == events_.limits().opening)
+          usual_error_ = std::max<real>(usual_error_, edge_limits<Reduced>::usual_error);
       return;
     }
     approaching_ = !approaching_;
