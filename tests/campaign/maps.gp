@@ -44,8 +44,9 @@ marks = "$%s using (place(1)):(place(2)) with lines lw 2 lc rgb '#000000' title 
   file using ((ended(0) && $6 > 1e-8) ? log10($2) : NaN):(log10($1)) with points pt 4 ps 0.8 lc rgb '#0000ff' title 'estimate above tolerance'"
 
 # Cells without an error, e = 0 among them, are grey: an image needs a number everywhere, and an empty column has none.
-error(row) = real(strcol(7))
-shade(row) = is('separated') && strcol(7) ne '' ? log10((error(0) > 1e-14 ? error(0) : 1e-14) / 1e-8) : -6.5
+shaded(name) = "< awk -F, '/^[0-9]/ { shade = -6.5; if ($3 == \"separated\" && $7 != \"\") { \
+  shade = $7 > 1e-14 ? log($7 / 1e-8) / log(10) : -6 } \
+  print log($2) / log(10) \",\" log($1) / log(10) \",\" shade }' '" . csv(name) . "'"
 do for [format in 'svg png'] {
   do for [i = 1:2] {
     file = csv(names[i])
@@ -55,7 +56,7 @@ do for [format in 'svg png'] {
     set cbtics ('e = 0' -6.5, '10^{-6}' -6, '10^{-5}' -5, '10^{-4}' -4, '10^{-3}' -3, '10^{-2}' -2, '0.1' -1, '1' 0, '10' 1)
     set palette defined (-7 '#d0d0d0', -6.01 '#d0d0d0', -6 '#440154', -4 '#3b528b', -2 '#21918c', -0.01 '#fde725', 0 '#d55e00', 1 '#d55e00')
     eval draw(names[i] . '_error')
-    eval "plot file using (log10($2)):(log10($1)):(shade(0)) with image notitle, " . sprintf(marks, names[i])
+    eval "plot shaded(names[i]) using 1:2:3 with image notitle, " . sprintf(marks, names[i])
     set title sprintf("evaluations of a collision\n{/*0.8 %s, %s}", about, laws[i])
     set cblabel 'evaluations'
     set cbrange [2:7]
