@@ -58,7 +58,7 @@ void write_adversaries(const std::vector<adversary>& all, const std::string& fil
   out << fmt::format(
       "# ricochet {}\n# command: {}\n"
       "# Scenes that are hard on an instance: of all that were tried, those with the largest error over its estimate,\n"
-      "# the most evaluations (below 2e6) and the largest residual of the ledger over the tolerance (column aim; value).\n"
+      "# the most evaluations (below 1e6) and the largest residual of the ledger over the tolerance (column aim; value).\n"
       "# finer_: at a hundredth of the tolerance; reference_restitution: fehlberg78 in long double at 1e-17; blank if "
       "none.\n"
       "# allowed_error: over the estimate; allowed_evaluations: twice those found, and 1000.\n# units:",

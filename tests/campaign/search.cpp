@@ -16,6 +16,8 @@ namespace campaign {
 
 namespace {
 
+constexpr long most_kept = 1'000'000; ///< evaluations: what is kept can be solved again in a fraction of a second
+
 struct candidate {
   std::vector<double> choices;
   finding found, finer;
@@ -29,10 +31,11 @@ candidate tried(const instance& of, std::vector<double> choices) {
     c.found = of.solve(s, s.tolerance);
     if (!c.found.ended() || !c.found.certain)
       return c;
-    // An effort that only spends its budget is the solver's to refuse: what is kept can be solved again in a second.
-    c.values[std::size_t(aim::evaluations)] = c.found.evaluations < 2'000'000 ? double(c.found.evaluations) : 0;
+    c.values[std::size_t(aim::evaluations)] = c.found.evaluations < most_kept ? double(c.found.evaluations) : 0;
     if (c.found.error_estimate <= s.tolerance)
       c.values[std::size_t(aim::residual)] = std::abs(c.found.ledger_residual) / s.tolerance;
+    if (c.found.evaluations > most_kept / 3) // lest the search take hours
+      return c;
     c.finer = of.solve(s, std::max(s.tolerance / 100, 1e-12));
     if (c.finer.ended() && c.finer.certain)
       c.values[std::size_t(aim::error)] =

@@ -84,7 +84,7 @@ private:
 
   template <class T>
   std::pair<const polynomial*, T> locate(const T& Q) const {
-    const T clamped = std::clamp(Q, T(0), T(last));
+    const T clamped = Q > T(0) ? std::min(Q, T(last)) : T(0); // of what is no number too: there is no piece for it
     const double x = static_cast<double>(clamped) + unit_;
     const double start = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~within_piece);
     const T t = (clamped - (T(start) - T(unit_))) * T(per_half_piece(x)) - T(1);
