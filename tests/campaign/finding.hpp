@@ -2,6 +2,8 @@
 #pragma once
 #include <ricochet/outcome/outcome.hpp>
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -23,5 +25,18 @@ struct finding {
       wrong = what;
   }
 };
+
+inline double e_of(const finding& f) { return f.restitution.value_or(0); }
+
+/// How often the estimate goes into the error beyond what else explains it.
+inline double over_estimate(const finding& f, double error) {
+  const double excess = error - 1e-12;
+  return excess > 0 ? excess / f.error_estimate : 0;
+}
+
+/// Difference of two restitutions, both of certain endings; infinite where the endings differ.
+inline double difference(const finding& one, const finding& other) {
+  return one.ending == other.ending ? std::abs(e_of(one) - e_of(other)) : std::numeric_limits<double>::infinity();
+}
 
 } // namespace campaign

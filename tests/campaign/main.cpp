@@ -1,5 +1,6 @@
 // campaign: random collisions of every composition, over all that physics and carelessness can produce; each is to be
 // certified, or to say by itself why it is not. See --help.
+#include "adversaries.hpp"
 #include "tally.hpp"
 
 #include <ricochet/body/validate.hpp>
@@ -25,6 +26,8 @@ struct arguments {
   std::string only;
   std::optional<std::uint64_t> scene;
   std::optional<extent> from; ///< else of all, see extent_of()
+  long search = 0;
+  std::string adversaries;
 };
 
 constexpr std::array extents{extent::documented, extent::wide, extent::bad};
@@ -35,19 +38,6 @@ extent extent_of(std::uint64_t index, const std::optional<extent>& given) {
     return *given;
   const std::uint64_t place = index % 20;
   return place < 9 ? extent::documented : place < 19 ? extent::wide : extent::bad;
-}
-
-double e_of(const finding& f) { return f.restitution.value_or(0); }
-
-/// How often the estimate goes into the error beyond what else explains it.
-double over_estimate(const finding& f, double error) {
-  const double excess = error - 1e-12;
-  return excess > 0 ? excess / f.error_estimate : 0;
-}
-
-/// Difference of two restitutions, both of certain endings; infinite where the endings differ.
-double difference(const finding& one, const finding& other) {
-  return one.ending == other.ending ? std::abs(e_of(one) - e_of(other)) : std::numeric_limits<double>::infinity();
 }
 
 struct examination {
@@ -240,6 +230,10 @@ int main(int argc, char** argv) {
   app.add_option("--reference-every", given.reference_every, "solve one in so many in long double; 0: none")
       ->capture_default_str();
   app.add_option("--scene", given.scene, "show this scene alone");
+  app.add_option("--search", given.search,
+                 "so many trials of each instance for scenes with the largest errors, residuals and efforts, which are "
+                 "written to the file of --adversaries");
+  app.add_option("--adversaries", given.adversaries, "solve the scenes of this file again, and compare");
   CLI11_PARSE(app, argc, argv);
 
   std::vector<instance> instances = all_instances();
@@ -253,6 +247,14 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "  {}\n", i.name);
     return 2;
   }
+  if (given.search > 0) {
+    write_adversaries(search_adversaries(instances, given.seed, given.search, given.threads), given.adversaries,
+                      fmt::format("campaign --search {} --seed {}{}", given.search, given.seed,
+                                  given.only.empty() ? "" : fmt::format(" --only '{}'", given.only)));
+    return 0;
+  }
+  if (!given.adversaries.empty())
+    return check_adversaries(given.adversaries, instances) ? 0 : 1;
   run campaign(given, instances);
   if (given.scene) {
     campaign.one(*given.scene);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -55,8 +56,21 @@ public:
     generator_.seed(all);
   }
 
-  std::uint64_t below(std::uint64_t n) { return std::uniform_int_distribution<std::uint64_t>(0, n - 1)(generator_); }
-  double uniform(double low, double high) { return std::uniform_real_distribution<>(low, high)(generator_); }
+  source(const std::vector<double>& choices, extent from)
+      : choices_(choices), given_(true), wide_(from != extent::documented) {}
+
+  std::uint64_t below(std::uint64_t n) {
+    if (given_)
+      return std::min(n - 1, static_cast<std::uint64_t>(next() * double(n)));
+    const std::uint64_t chosen = std::uniform_int_distribution<std::uint64_t>(0, n - 1)(generator_);
+    choices_.push_back((double(chosen) + 0.5) / double(n));
+    return chosen;
+  }
+  double uniform(double low, double high) {
+    if (!given_)
+      choices_.push_back(std::generate_canonical<double, 53>(generator_));
+    return low + (high - low) * (given_ ? next() : choices_.back());
+  }
   double log_uniform(double low, double high) { return low * std::pow(high / low, uniform(0, 1)); }
 
   /// In the documented range, or the wide one.
@@ -67,10 +81,15 @@ public:
   double or_zero(double x) { return below(10) == 0 ? 0 : x; }
 
   bool wide() const { return wide_; }
+  const std::vector<double>& choices() const { return choices_; }
 
 private:
+  double next() { return place_ < choices_.size() ? choices_[place_++] : 0.5; }
+
   std::mt19937_64 generator_;
-  bool wide_;
+  std::vector<double> choices_; ///< to be made, or made so far
+  std::size_t place_ = 0;
+  bool given_ = false, wide_;
 };
 
 double contact_time(const scene& s) {
@@ -116,8 +135,37 @@ std::string scene::text() const {
   return all;
 }
 
-scene draw(std::uint64_t seed, std::uint64_t index, extent from) {
-  source random(seed, index, from);
+std::vector<std::string> scene::names() {
+  std::vector<std::string> all;
+  for (const parameter& p : parameters)
+    all.emplace_back(p.name);
+  return all;
+}
+
+std::vector<std::string> scene::units() {
+  std::vector<std::string> all;
+  for (const parameter& p : parameters)
+    all.emplace_back(*p.unit ? p.unit : "1");
+  return all;
+}
+
+std::vector<std::string> scene::values() const {
+  std::vector<std::string> all;
+  for (const parameter& p : parameters)
+    all.push_back(wall && p.member == &scene::radius_2 ? "inf" : fmt::format("{:.17g}", this->*p.member));
+  return all;
+}
+
+scene scene::of(const std::map<std::string, std::string>& values_by_name) {
+  scene s{};
+  for (const parameter& p : parameters)
+    s.*p.member = std::stod(values_by_name.at(p.name));
+  s.wall = std::isinf(s.radius_2);
+  return s;
+}
+
+namespace {
+scene drawn_from(source& random, extent from) {
   scene s{};
   s.wall = random.below(2) == 0;
   for (const bool second : {false, true}) {
@@ -159,6 +207,23 @@ scene draw(std::uint64_t seed, std::uint64_t index, extent from) {
   if (from == extent::bad)
     spoil(s, random);
   return s;
+}
+} // namespace
+
+scene draw(std::uint64_t seed, std::uint64_t index, extent from) {
+  source random(seed, index, from);
+  return drawn_from(random, from);
+}
+
+scene drawn_by(const std::vector<double>& choices, extent from) {
+  source given(choices, from);
+  return drawn_from(given, from);
+}
+
+std::vector<double> choices_of(std::uint64_t seed, std::uint64_t index, extent from) {
+  source random(seed, index, from);
+  drawn_from(random, from);
+  return random.choices();
 }
 
 const char* name_of(extent from) {

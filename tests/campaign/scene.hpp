@@ -3,7 +3,9 @@
 #include <ricochet/body/pair.hpp>
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace campaign {
 
@@ -30,10 +32,22 @@ struct scene {
   ricochet::contact_pair pair() const;
   /// Names, values and units, for people.
   std::string text() const;
+
+  /// For CSV files, in this order: names, units ("1" of a pure number), values with all digits; a wall's radius is inf.
+  static std::vector<std::string> names(), units();
+  std::vector<std::string> values() const;
+  /// \throws std::out_of_range where a name is missing.
+  static scene of(const std::map<std::string, std::string>& values_by_name);
 };
 
 /// Scene number `index` of the run with this seed: the same wherever and in whatever order it is drawn.
 scene draw(std::uint64_t seed, std::uint64_t index, extent from);
+
+/// The same from numbers between 0 and 1, one for each choice; those that are missing are 1/2. Near numbers give near
+/// scenes of the same range.
+scene drawn_by(const std::vector<double>& choices, extent from);
+/// Those that draw() makes.
+std::vector<double> choices_of(std::uint64_t seed, std::uint64_t index, extent from);
 
 const char* name_of(extent from);
 
