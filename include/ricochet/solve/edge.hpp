@@ -13,8 +13,8 @@ struct kink_grading {
   int crossings = 0;
 
   Real graded(const Real& h, const Real& ahead) const {
-    const Real towards = ahead > closest ? ahead * Real(0.4f) : 2 * closest;
-    return std::min<Real>({h, towards, std::max<Real>(Real(1.2f) * since, closest)});
+    const Real towards = ahead > closest ? ahead * 2 / 5 : 2 * closest;
+    return std::min<Real>({h, towards, std::max<Real>(since * 6 / 5, closest)});
   }
 
   /// An edge crossing again and again relaxes faster than these steps resolve: come closer.
