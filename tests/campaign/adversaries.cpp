@@ -1,5 +1,7 @@
 #include "adversaries.hpp"
 
+#include "support/rows.hpp"
+
 #include <ricochet/version.hpp>
 
 #include <fmt/format.h>
@@ -7,7 +9,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 namespace campaign {
@@ -17,14 +18,6 @@ namespace {
 using row = std::map<std::string, std::string>;
 
 std::string shown(double x) { return fmt::format("{:.17g}", x); }
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::stringstream parts(line + ",");
-  for (std::string cell; std::getline(parts, cell, ',');)
-    cells.push_back(cell);
-  return cells;
-}
 
 /// The first thing that is not as it should be; empty if all is.
 std::string wrong_with(const row& each, const instance& of, double& over) {
@@ -58,7 +51,8 @@ void write_adversaries(const std::vector<adversary>& all, const std::string& fil
   out << fmt::format(
       "# ricochet {}\n# command: {}\n"
       "# Scenes that are hard on an instance: of all that were tried, those with the largest error over its estimate,\n"
-      "# the most evaluations (below 1e6) and the largest residual of the ledger over the tolerance (column aim; value).\n"
+      "# the most evaluations (below 1e6) and the largest residual of the ledger over the tolerance (column aim; "
+      "value).\n"
       "# finer_: at a hundredth of the tolerance; reference_restitution: fehlberg78 in long double at 1e-17; blank if "
       "none.\n"
       "# allowed_error: over the estimate; allowed_evaluations: twice those found, and 1000.\n# units:",
@@ -94,21 +88,9 @@ void write_adversaries(const std::vector<adversary>& all, const std::string& fil
 }
 
 bool check_adversaries(const std::string& file, const std::vector<instance>& instances) {
-  std::ifstream in(file);
-  std::vector<std::string> names;
   long rows = 0, wrong = 0, known = 0;
   double largest = 0;
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#')
-      continue;
-    const auto cells = cells_of(line);
-    if (names.empty()) {
-      names = cells;
-      continue;
-    }
-    row each;
-    for (std::size_t i = 0; i < names.size() && i < cells.size(); ++i)
-      each[names[i]] = cells[i];
+  for (const row& each : support::rows_of(file)) {
     const auto of = std::find_if(instances.begin(), instances.end(),
                                  [&](const instance& i) { return i.name == each.at("instance"); });
     if (of == instances.end())

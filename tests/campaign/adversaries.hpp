@@ -10,9 +10,9 @@ namespace campaign {
 
 /// What a scene is hard on; each is searched for by itself.
 enum class aim {
-  error,      ///< over its estimate
+  error, ///< over its estimate
   evaluations,
-  residual    ///< of the ledger, over the tolerance
+  residual ///< of the ledger, over the tolerance
 };
 inline constexpr const char* aim_names[] = {"error", "evaluations", "residual"};
 
@@ -25,8 +25,8 @@ struct adversary {
   std::optional<double> reference; ///< restitution in long double, where there is one
 };
 
-/// The hundred worst of so many trials of each instance in the documented range: one half drawn at random, the rest near
-/// the worst so far. Of the same seed the same, on however many threads; progress on standard error.
+/// The hundred worst of so many trials of each instance in the documented range: one half drawn at random, the rest
+/// near the worst so far. Of the same seed the same, on however many threads; progress on standard error.
 std::vector<adversary> search_adversaries(const std::vector<instance>& instances, std::uint64_t seed, long trials,
                                           unsigned threads);
 /// \throws std::runtime_error if the file cannot be written.

@@ -24,19 +24,15 @@
 #include <ricochet/solve/oblique.hpp>
 #include <ricochet/solve/steppers.hpp>
 
+#include "support/greenwood_tables.hpp"
+
 #include <cmath>
-#include <map>
-#include <mutex>
 
 namespace campaign {
 using namespace ricochet;
 using namespace ricochet::units;
 
-/// Tables of the exact crack law, shared by all scenes and threads.
-std::shared_ptr<const greenwood_table> table_for(double modulus_ratio);
-
-// --- a scene's numbers as laws
-// ----------------------------------------------------------------------------------------
+// A scene's numbers as laws.
 
 template <class Law>
 struct law_of;
@@ -81,7 +77,7 @@ struct law_of<greenwood> {
     return {.relaxation_time = s.relaxation_time * seconds,
             .modulus_ratio = s.modulus_ratio,
             .interaction_range = s.interaction_range * metres,
-            .table = table_for(s.modulus_ratio)};
+            .table = support::greenwood_table_for(s.modulus_ratio)};
   }
 };
 template <>
@@ -156,8 +152,7 @@ auto composed(const scene& s, auto... requests) {
   return compose(s.pair(), law_of<Laws>::from(s)..., requests...);
 }
 
-// --- what must hold
-// ---------------------------------------------------------------------------------------------------
+// What must hold.
 
 inline std::string with_value(const char* what, double value) { return std::string(what) + " " + shown(value); }
 
@@ -268,8 +263,7 @@ std::optional<double> reference_restitution(const scene& s) {
   return static_cast<double>(out.restitution.value_or(0));
 }
 
-// --- the list
-// ---------------------------------------------------------------------------------------------------------
+// The list.
 
 template <class... Laws>
 std::string joined_names() {

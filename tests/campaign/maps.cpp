@@ -50,8 +50,7 @@ double at(double low, double high, std::size_t place, std::size_t points) {
 auto model_of(double relaxation_time, auto... damping) {
   static const std::shared_ptr<const greenwood_table> edge = std::make_shared<const greenwood_table>(0.02);
   const sphere grain{.solid = materials::water_ice, .radius = 2.0 * micrometres};
-  return compose(between(grain, grain), hertz{},
-                 jkr{.work_of_adhesion = work_of_adhesion(grain.solid, grain.solid)},
+  return compose(between(grain, grain), hertz{}, jkr{.work_of_adhesion = work_of_adhesion(grain.solid, grain.solid)},
                  greenwood{.relaxation_time = relaxation_time * seconds,
                            .modulus_ratio = 0.02,
                            .interaction_range = 0.3 * nanometres,

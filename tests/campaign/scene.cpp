@@ -177,9 +177,13 @@ scene drawn_from(source& random, extent from) {
   s.speed = random.in(1e-4, 1e3, 1e-9, 1e4);
   s.angle = random.or_zero(random.below(10) == 0 ? std::numbers::pi / 2 - random.log_uniform(1e-6, 0.1)
                                                  : random.uniform(0, std::numbers::pi / 2));
-  const auto sign = [&] { return random.below(2) == 0 ? -1 : 1; };
-  s.spin_1 = random.or_zero(sign() * random.log_uniform(1e-3, 1e3) * s.speed / s.radius_1);
-  s.spin_2 = s.wall ? 0 : random.or_zero(sign() * random.log_uniform(1e-3, 1e3) * s.speed / s.radius_2);
+  const auto spin_of = [&](double radius) { // one draw a statement: their order is to be the same with every compiler
+    const double sign = random.below(2) == 0 ? -1 : 1;
+    const double over_rolling = random.log_uniform(1e-3, 1e3);
+    return random.or_zero(sign * over_rolling * s.speed / radius);
+  };
+  s.spin_1 = spin_of(s.radius_1);
+  s.spin_2 = s.wall ? 0 : spin_of(s.radius_2);
 
   using ricochet::in_si;
   const ricochet::contact_pair pair = s.pair();

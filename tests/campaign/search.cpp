@@ -38,8 +38,7 @@ candidate tried(const instance& of, std::vector<double> choices) {
       return c;
     c.finer = of.solve(s, std::max(s.tolerance / 100, 1e-12));
     if (c.finer.ended() && c.finer.certain)
-      c.values[std::size_t(aim::error)] =
-          over_estimate(c.found, difference(c.found, c.finer) - c.finer.error_estimate);
+      c.values[std::size_t(aim::error)] = over_estimate(c.found, difference(c.found, c.finer) - c.finer.error_estimate);
   } catch (const ricochet::bad_input&) { // a law refuses some scenes, such as a strength below what adhesion bears
   }
   return c;
@@ -107,7 +106,8 @@ std::vector<adversary> search_adversaries(const std::vector<instance>& instances
                                       : one.instance < other.instance;
   });
   std::array<int, 3> count{};
-  std::erase_if(all, [&](const adversary& each) { return ++count[std::size_t(each.of)] > (each.of == aim::error ? 34 : 33); });
+  std::erase_if(
+      all, [&](const adversary& each) { return ++count[std::size_t(each.of)] > (each.of == aim::error ? 34 : 33); });
   for (adversary& each : all)
     for (const instance& of : instances)
       if (of.name == each.instance && of.reference)

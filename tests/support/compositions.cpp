@@ -1,13 +1,13 @@
 #include "support/compositions.hpp"
 
+#include "support/greenwood_tables.hpp"
+
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/adhesion/line_force.hpp>
 #include <ricochet/law/adhesion/maugis_dugdale.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 
 #include <array>
-#include <map>
-#include <mutex>
 #include <stdexcept>
 
 namespace support {
@@ -108,16 +108,10 @@ std::vector<composition> list() {
 } // namespace
 
 greenwood edge(const scene& s) {
-  static std::mutex one_at_a_time;
-  static std::map<double, decltype(greenwood::table)> tables;
-  const std::lock_guard lock(one_at_a_time);
-  auto& table = tables[s.modulus_ratio];
-  if (!table)
-    table = std::make_shared<const greenwood_table>(s.modulus_ratio);
   return {.relaxation_time = s.relaxation_time,
           .modulus_ratio = s.modulus_ratio,
           .interaction_range = s.interaction_range,
-          .table = table};
+          .table = greenwood_table_for(s.modulus_ratio)};
 }
 
 const std::vector<composition>& compositions() {

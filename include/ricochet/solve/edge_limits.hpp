@@ -19,7 +19,7 @@ public:
   /// The pieces of an edge that is held; others see reduced_model::at().
   static constexpr int closing = -10, opening = -11;
   /// Share of the step tolerance that a collision errs by whose edge was held, as tests/campaign/maps has it.
-  static constexpr float usual_error = 2;
+  static constexpr float usual_error = 4;
   static constexpr bool exist = [] {
     if constexpr (Reduced::free_edge)
       return limited_crack_law<decltype(Reduced::crack)>;

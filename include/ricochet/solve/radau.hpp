@@ -67,7 +67,7 @@ struct radau {
       }
       const real norm = std::max(error(f, x, h, z), quadrature_error_);
       tried_ = {z, roots(f, x, z), h};
-      end_ = out;
+      tried_end_ = out;
       tried_well_ = norm <= 1;
       const real next = std::min(growth_ * h, resized(h, norm, stages + 1));
       growth_ = norm <= 1 ? 5 : 1.5;
@@ -91,8 +91,10 @@ struct radau {
     void moved() {
       known_ = false;
       goes_on_ = std::exchange(tried_well_, false);
-      if (goes_on_)
+      if (goes_on_) {
         last_ = tried_;
+        end_ = tried_end_;
+      }
     }
 
   private:
@@ -185,7 +187,8 @@ struct radau {
         const real norm = update(f, x, change, z), rate = iteration == 0 ? 1 : norm / last;
         last = norm;
         refresh = rate > 0.05;
-        if (norm < 0.1 * enough || (iteration > 0 && rate < 1 && norm * rate < enough * (1 - rate))) {
+        const real to_come = std::max(rate, 0.01); // what changed first may have been linear and tell nothing of the rest
+        if (norm < 0.1 * enough || (iteration > 0 && rate < 1 && norm * to_come < enough * (1 - to_come))) {
           finish(x, h, z, slope, out);
           return !f.outside;
         }
@@ -401,7 +404,7 @@ struct radau {
 
     const table_type& table_ = table_type::get();
     real growth_ = 5, quadrature_error_ = 0, tolerance_, least_clock_ = 0;
-    state_type typical_, slope_{}, end_{};
+    state_type typical_, slope_{}, tried_end_{}, end_{};
     matrix jacobian_, slopes_;                       ///< derivatives by y, rate and delta; by y, rate and sqrt(beta)
     matrix geometry_;                                ///< of the former by the latter
     std::array<inverse, table_type::modes> inverse_; ///< one for each mode
