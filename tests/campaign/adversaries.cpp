@@ -22,7 +22,7 @@ std::string shown(double x) { return fmt::format("{:.17g}", x); }
 /// The first thing that is not as it should be; empty if all is.
 std::string wrong_with(const row& each, const instance& of, double& over) {
   const scene s = scene::of(each);
-  const finding f = of.solve(s, s.tolerance);
+  const finding f = of.solve(s, {.tolerance = s.tolerance});
   if (!f.wrong.empty())
     return f.wrong;
   if (!f.ended())

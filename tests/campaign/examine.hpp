@@ -206,13 +206,13 @@ inline double surface_energy_of_motion(const contact_pair& pair, double speed, d
 }
 
 template <class Stepper, class... Laws>
-finding solve_normal(const scene& s, double tolerance) {
+finding solve_normal(const scene& s, const collide_options& options) {
   const impact motion{s.speed * metres_per_second};
   const auto model = composed<Laws...>(s, energy_ledger{}, contact_duration{});
-  finding f = examined(integrate(model, motion, {.tolerance = tolerance}, Stepper{}), tolerance);
+  finding f = examined(integrate(model, motion, options, Stepper{}), options.tolerance);
   const auto plain = composed<Laws...>(s);
   if constexpr (closed_form::solved<std::remove_const_t<decltype(plain)>>) {
-    const auto closed = collide(plain, motion, {.tolerance = tolerance});
+    const auto closed = collide(plain, motion, options);
     f.expect(!f.ended() || !f.certain || !closed.ending_is_certain ||
                  (closed.ending == f.ending && std::abs(closed.restitution.value_or(0) - f.restitution.value_or(0)) <=
                                                    closed.error_estimate + f.error_estimate + 1e-15),
@@ -223,11 +223,12 @@ finding solve_normal(const scene& s, double tolerance) {
 }
 
 template <class Stepper, class... Laws>
-finding solve_oblique(const scene& s, double tolerance) {
+finding solve_oblique(const scene& s, const collide_options& options) {
   const auto model = composed<Laws...>(s, energy_ledger{}, contact_duration{});
   const oblique_impact motion{s.speed * metres_per_second, s.angle, s.spin_1 * radians_per_second,
                               s.spin_2 * radians_per_second};
-  const auto out = collide(model, motion, {.tolerance = tolerance}, Stepper{});
+  const auto out = collide(model, motion, options, Stepper{});
+  const double tolerance = options.tolerance;
   finding f = examined(out.normal, tolerance);
   if (!f.ended())
     return f;

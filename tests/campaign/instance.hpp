@@ -3,6 +3,8 @@
 #include "finding.hpp"
 #include "scene.hpp"
 
+#include <ricochet/solve/accuracy.hpp>
+
 #include <string>
 #include <vector>
 
@@ -11,7 +13,7 @@ namespace campaign {
 struct instance {
   std::string name; ///< laws joined by +, then the stepper
   /// \throws ricochet::bad_input where the library refuses the scene.
-  finding (*solve)(const scene&, double tolerance);
+  finding (*solve)(const scene&, const ricochet::collide_options&);
   std::optional<double> (*reference)(const scene&) = nullptr; ///< restitution in long double; not of all
 };
 

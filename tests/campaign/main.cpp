@@ -26,7 +26,7 @@ struct arguments {
   std::string only;
   std::optional<std::uint64_t> scene;
   std::optional<extent> from; ///< else of all, see extent_of()
-  long search = 0;
+  long search = 0, max_evaluations = ricochet::collide_options{}.max_evaluations;
   std::string adversaries;
 };
 
@@ -46,11 +46,11 @@ struct examination {
   std::optional<double> error_over_estimate; ///< where there is a better solution to compare with
 };
 
-examination examine(const instance& of, const scene& s, extent from, bool compare, bool refer) {
+examination examine(const instance& of, const scene& s, extent from, long max_evaluations, bool compare, bool refer) {
   examination result{};
   finding& f = result.found;
   try {
-    f = of.solve(s, s.tolerance);
+    f = of.solve(s, {.tolerance = s.tolerance, .max_evaluations = max_evaluations});
   } catch (const ricochet::bad_input& refused) {
     f.reason = refused.what();
     result.is = verdict::refused;
@@ -59,7 +59,7 @@ examination examine(const instance& of, const scene& s, extent from, bool compar
   f.expect(from != extent::bad, "bad input went through");
   const bool told = f.ended() && f.certain;
   if (compare && told && s.tolerance >= 1e-10) {
-    const finding finer = of.solve(s, s.tolerance / 100);
+    const finding finer = of.solve(s, {.tolerance = s.tolerance / 100, .max_evaluations = max_evaluations});
     if (finer.ended() && finer.certain) {
       result.error_over_estimate = over_estimate(f, difference(f, finer) - finer.error_estimate);
       f.expect(*result.error_over_estimate <= 1,
@@ -106,7 +106,7 @@ public:
     const instance& of = instance_of(index);
     fmt::print("scene {} of seed {}: {}, range {}\n{}", index, given_.seed, of.name, name_of(from), s.text());
     std::fflush(stdout);
-    const examination result = examine(of, s, from, true, true);
+    const examination result = examine(of, s, from, given_.max_evaluations, true, true);
     const finding& f = result.found;
     fmt::print("{}: {}{}\n", verdict_names[std::size_t(result.is)],
                result.is == verdict::refused ? f.reason : ricochet::name_of(f.ending),
@@ -158,7 +158,10 @@ private:
     if (!here.reasons.empty())
       fmt::print("  {}, of {}:\n", of.name, here.total());
     for (const auto& [kind, seen] : here.reasons)
-      fmt::print("    {:6} {}: campaign --seed {}{}{} --scene {}\n", seen.first, kind, given_.seed,
+      fmt::print("    {:6} {}: campaign --seed {}{}{}{} --scene {}\n", seen.first, kind, given_.seed,
+                 given_.max_evaluations == ricochet::collide_options{}.max_evaluations
+                     ? ""
+                     : fmt::format(" --max-evaluations {}", given_.max_evaluations),
                  given_.only.empty() ? "" : fmt::format(" --only '{}'", given_.only),
                  given_.from ? fmt::format(" --range {}", name_of(*given_.from)) : "", seen.second);
   }
@@ -173,7 +176,7 @@ private:
         const auto often = [&](long n) { // of every instance and range alike
           return n > 0 && (i * 0x9e3779b97f4a7c15u >> 32) % std::uint64_t(n) == 0;
         };
-        const examination result = examine(instance_of(i), draw(given_.seed, i, from), from,
+        const examination result = examine(instance_of(i), draw(given_.seed, i, from), from, given_.max_evaluations,
                                            often(given_.compare_every), often(given_.reference_every));
         tally& to = mine[i / 20 % instances_.size() * extents.size() + std::size_t(from)];
         to.add(i, result.is, result.found);
@@ -228,6 +231,9 @@ int main(int argc, char** argv) {
                  "solve one scene in so many again at a hundredth of the tolerance; 0: none")
       ->capture_default_str();
   app.add_option("--reference-every", given.reference_every, "solve one in so many in long double; 0: none")
+      ->capture_default_str();
+  app.add_option("--max-evaluations", given.max_evaluations, "of the equations of motion, for each of two solutions")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--scene", given.scene, "show this scene alone");
   app.add_option("--search", given.search,

@@ -28,7 +28,7 @@ candidate tried(const instance& of, std::vector<double> choices) {
   candidate c{std::move(choices), {}, {}, {}};
   const scene s = drawn_by(c.choices, extent::documented);
   try {
-    c.found = of.solve(s, s.tolerance);
+    c.found = of.solve(s, {.tolerance = s.tolerance});
     if (!c.found.ended() || !c.found.certain)
       return c;
     c.values[std::size_t(aim::evaluations)] = c.found.evaluations < most_kept ? double(c.found.evaluations) : 0;
@@ -36,7 +36,7 @@ candidate tried(const instance& of, std::vector<double> choices) {
       c.values[std::size_t(aim::residual)] = std::abs(c.found.ledger_residual) / s.tolerance;
     if (c.found.evaluations > most_kept / 3) // lest the search take hours
       return c;
-    c.finer = of.solve(s, std::max(s.tolerance / 100, 1e-12));
+    c.finer = of.solve(s, {.tolerance = std::max(s.tolerance / 100, 1e-12)});
     if (c.finer.ended() && c.finer.certain)
       c.values[std::size_t(aim::error)] = over_estimate(c.found, difference(c.found, c.finer) - c.finer.error_estimate);
   } catch (const ricochet::bad_input&) { // a law refuses some scenes, such as a strength below what adhesion bears
