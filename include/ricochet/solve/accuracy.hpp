@@ -22,7 +22,7 @@ class two_solutions {
   using T = typename Reduced::number;
   using real = real_of<T>;
   using Model = typename Reduced::model_type;
-  static constexpr real refinement = 4;
+  static constexpr int refinement = 4;
 
 public:
   using outcome_type = typename collision<Reduced, Stepper>::outcome_type;
@@ -52,13 +52,11 @@ public:
   real unmet() const {
     real unmet = real(out_.error_estimate);
     if constexpr (Model::asked.ledger)
-      unmet = max<real>(unmet, abs(value_of(out_.ledger_residual)) - roundings_ * epsilon);
+      unmet = max<real>(unmet, abs(value_of(out_.ledger_residual)) - roundings_ * std::numeric_limits<real>::epsilon());
     return unmet;
   }
 
 private:
-  static constexpr real epsilon = std::numeric_limits<real>::epsilon();
-
   static bool ended(ending e) { return e == ending::separated || e == ending::captured; }
 
   /// What the energies left of both solutions differ by, captured ones looked at together: one may be certain sooner.
@@ -81,7 +79,9 @@ private:
     return of_steps * fine_.usual_error() * tolerance_ / speed_ *
            sqrt(max<real>(1, fine_.largest_energy() / kinetic()));
   }
-  real round_off() const { return roundings_ * epsilon * fine_.largest_energy() / kinetic(); }
+  real round_off() const {
+    return roundings_ * std::numeric_limits<real>::epsilon() * fine_.largest_energy() / kinetic();
+  }
   real kinetic() const { return speed_ * speed_ * value_of(T(model_.pair.reduced_mass)) / 2; }
 
   /// Sets the error estimate and whether the ending is certain.
