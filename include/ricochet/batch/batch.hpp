@@ -1,15 +1,11 @@
 // Many collisions at once: side by side in the lanes of SIMD registers, on as many threads as wanted.
 #pragma once
 #include <ricochet/batch/lane_solver.hpp>
+#include <ricochet/batch/share.hpp>
 #include <ricochet/batch/tabulated_lanes.hpp>
 
-#include <atomic>
-#include <exception>
-#include <functional>
-#include <mutex>
 #include <numeric>
 #include <span>
-#include <thread>
 
 namespace ricochet {
 
@@ -28,7 +24,7 @@ struct batch_options {
   double tolerance = 1e-8;
   long max_evaluations = 3'000'000;
   unsigned threads = 0;
-  std::function<void(std::size_t done, std::size_t of)> progress = {};
+  progress_callback progress = {};
 };
 
 namespace detail {
@@ -126,40 +122,6 @@ private:
   std::array<std::size_t, size> open_;
 };
 
-/// work(first, last) for parts of the numbers below `count`, on as many threads as wanted.
-template <class Work>
-void share(std::size_t count, std::size_t part, const batch_options& options, const Work& work) {
-  std::atomic<std::size_t> next = 0;
-  std::size_t done = 0;
-  std::exception_ptr failure;
-  std::mutex telling;
-  const auto run = [&] {
-    for (std::size_t first; (first = next.fetch_add(part)) < count;) {
-      const std::size_t last = std::min(first + part, count);
-      try {
-        work(first, last);
-        if (options.progress) {
-          const std::lock_guard lock(telling);
-          options.progress(done += last - first, count);
-        }
-      } catch (...) {
-        const std::lock_guard lock(telling);
-        failure = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  const std::size_t wanted = options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(wanted, (count + part - 1) / part); ++i)
-      others.emplace_back(run);
-    run();
-  }
-  if (failure)
-    std::rethrow_exception(failure);
-}
-
 template <class Model, class SceneOf>
 std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_options& options, const SceneOf& scene_of) {
   const collide_options alone{.tolerance = options.tolerance, .max_evaluations = options.max_evaluations};
@@ -171,7 +133,7 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
     }
   std::vector<outcome_of<Model>> outcomes(count);
   if constexpr (runs_in_lanes<Model>() && !closed_form::solved<Model>)
-    share(count, batch_part<Model>::size, options, [&](std::size_t first, std::size_t last) {
+    share(count, batch_part<Model>::size, options.threads, options.progress, [&](std::size_t first, std::size_t last) {
       batch_part<Model> part(scene_of(first).model, options.max_evaluations);
       part.solve(
           last - first, options.tolerance, [&](std::size_t i) -> decltype(auto) { return scene_of(first + i); },
@@ -179,7 +141,7 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
           outcomes.data() + first);
     });
   else if constexpr (closed_form::tabulated<Model> && !Model::asked.warnings)
-    share(count, 1024, options, [&](std::size_t first, std::size_t last) {
+    share(count, 1024, options.threads, options.progress, [&](std::size_t first, std::size_t last) {
       solve_tabulated<batch_lanes, Model>(
           last - first, [&](std::size_t i) -> decltype(auto) { return scene_of(first + i); },
           [&](std::size_t i) {
@@ -188,10 +150,11 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
           outcomes.data() + first);
     });
   else // closed forms take no longer than handing out a part of the work
-    share(count, closed_form::solved<Model> ? 256 : 16, options, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-        outcomes[i] = ricochet::collide(scene_of(i).model, scene_of(i).impact, alone);
-    });
+    share(count, closed_form::solved<Model> ? 256 : 16, options.threads, options.progress,
+          [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+              outcomes[i] = ricochet::collide(scene_of(i).model, scene_of(i).impact, alone);
+          });
   return outcomes;
 }
 
