@@ -11,7 +11,7 @@ using namespace ricochet;
 
 namespace {
 template <int stages>
-const stepper::radau_table<stages>& table = stepper::radau_table<stages>::get();
+const stepper::radau_table<stages>& coefficients = stepper::radau_table<stages>::get();
 
 template <class Check>
 void for_both(const Check& check) {
@@ -28,17 +28,17 @@ BOOST_AUTO_TEST_CASE(the_table_of_three_stages_is_that_of_radau5) {
                           {(16 - s) / 36, (16 + s) / 36, 1. / 9}};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      BOOST_TEST(std::abs(table<3>.a(i, j) - a[i][j]) < 1e-14);
-  const double gamma = table<3>.error_slope;
+      BOOST_TEST(std::abs(coefficients<3>.a(i, j) - a[i][j]) < 1e-14);
+  const double gamma = coefficients<3>.error_slope;
   BOOST_TEST(std::abs(gamma - 1 / (3 + std::cbrt(9.) - std::cbrt(3.))) < 1e-14);
-  BOOST_TEST(std::abs(table<3>.error[0] - gamma / 3 * (-13 - 7 * s)) < 1e-13);
-  BOOST_TEST(std::abs(table<3>.error[1] - gamma / 3 * (-13 + 7 * s)) < 1e-13);
-  BOOST_TEST(std::abs(table<3>.error[2] + gamma / 3) < 1e-13);
+  BOOST_TEST(std::abs(coefficients<3>.error[0] - gamma / 3 * (-13 - 7 * s)) < 1e-13);
+  BOOST_TEST(std::abs(coefficients<3>.error[1] - gamma / 3 * (-13 + 7 * s)) < 1e-13);
+  BOOST_TEST(std::abs(coefficients<3>.error[2] + gamma / 3) < 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(collocation_is_exact_for_polynomials) {
   for_both([](auto stages) {
-    const auto& [node, a] = std::tie(table<stages>.node, table<stages>.a);
+    const auto& [node, a] = std::tie(coefficients<stages>.node, coefficients<stages>.a);
     for (int i = 0; i < stages; ++i)
       for (int power = 0; power < (i + 1 < stages ? stages : 2 * stages - 1);
            ++power) { // the last row to the full order
@@ -47,13 +47,13 @@ BOOST_AUTO_TEST_CASE(collocation_is_exact_for_polynomials) {
           sum += a(i, j) * std::pow(node[j], power);
         BOOST_TEST(std::abs(sum - std::pow(node[i], power + 1) / (power + 1)) < 1e-15);
       }
-    BOOST_TEST((table<stages>.inverse * a).isIdentity(1e-14));
+    BOOST_TEST((coefficients<stages>.inverse * a).isIdentity(1e-14));
   });
 }
 
 BOOST_AUTO_TEST_CASE(modes_give_the_inverse) {
   for_both([](auto stages) {
-    const auto& t = table<stages>;
+    const auto& t = coefficients<stages>;
     const auto eigenvalue = [&](int m) { return std::complex(t.eigenvalue_real[m], t.eigenvalue_imaginary[m]); };
     for (int i = 0; i < stages; ++i)
       for (int j = 0; j < stages; ++j) {
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(modes_give_the_inverse) {
 BOOST_AUTO_TEST_CASE(the_error_is_that_of_a_quadrature_of_lower_order) {
   // Its weights and that at the beginning together give zero for all powers but as many as there are stages.
   for_both([](auto stages) {
-    const auto& t = table<stages>;
+    const auto& t = coefficients<stages>;
     for (int power = 0; power < stages; ++power) {
       double sum = power == 0 ? t.error_slope : 0;
       for (int i = 0; i < stages; ++i)
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(the_error_is_that_of_a_quadrature_of_lower_order) {
 
 BOOST_AUTO_TEST_CASE(powers_give_the_polynomial_through_the_nodes) {
   for_both([](auto stages) {
-    const auto& t = table<stages>;
+    const auto& t = coefficients<stages>;
     for (int i = 0; i <= stages; ++i)
       for (int j = 0; j <= stages; ++j) { // the polynomial that is 1 at node j, 0 at the others and at 0
         double sum = 0;
