@@ -3,6 +3,7 @@
 #include <ricochet/number/gradient.hpp>
 #include <ricochet/solve/collide.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -84,8 +85,8 @@ struct moving_scene {
     });
     moved.second.speed *= 1 + step * along_speed(j) / in_si(impact.speed);
     if constexpr (requires { model.crack.table; })
-      if (moved.first.crack.modulus_ratio != model.crack.modulus_ratio)
-        moved.first.crack.table = std::make_shared<const greenwood_table>(moved.first.crack.modulus_ratio);
+      if (auto& crack = moved.first.crack; crack.modulus_ratio != model.crack.modulus_ratio)
+        crack.table = std::make_shared<std::remove_reference_t<decltype(*crack.table)>>(crack.modulus_ratio);
     return moved;
   }
 
