@@ -48,6 +48,12 @@ linear_dashpot dashpot_of(const support::scene& s) {
 /// No faster than 1e-3 of the contact time, from where on lanes give up the more of them the smaller the tolerance is.
 greenwood edge_of(const support::scene& s) { return {10.0 * s.relaxation_time, s.modulus_ratio, s.interaction_range}; }
 
+/// Yields at about the speed of the scene.
+thornton_ning yielding_loss_of(const support::scene& s) {
+  const thornton_ning_contact flowing = yielding(s);
+  return {flowing.yield_strength};
+}
+
 template <class Function>
 void for_each_kind(const Function& f) {
   f("viscous Hertz", [](const auto& s) { return viscous_hertz(s); });
@@ -79,7 +85,7 @@ bool identical(const Outcome& a, const Outcome& b) {
 BOOST_AUTO_TEST_CASE(outcomes_are_those_of_lone_impacts_and_errors_below_their_estimates) {
   for_each_kind([](const char* name, const auto& composed) {
     const auto batch = random_batch(composed, 300);
-    for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
+    for (const double tolerance : {1e-3, 2e-4, 1e-5, 3e-6, 1e-7, 5e-8, 1e-9, 1e-11}) {
       const auto found = collide(batch, {.tolerance = tolerance});
       double worst = 0;
       long evaluations = 0;
@@ -162,7 +168,22 @@ BOOST_AUTO_TEST_CASE(what_does_not_run_in_lanes_is_the_same_as_alone) {
   check(random_batch([](const auto& s) { return static_jkr(s); }, 20));          // closed form
   check(random_batch([](const auto& s) { return viscoelastic_jkr_fit(s); }, 3)); // four pieces with jumps between
   check(random_batch([](const auto& s) { return viscous_jkr(s, energy_ledger{}, contact_duration{}); }, 20));
-  check(random_batch([](const auto& s) { return viscous_jkr(s, thornton_ning{1e9 * pascals}); }, 20));
+}
+
+BOOST_AUTO_TEST_CASE(plastic_loss_is_added_to_what_lanes_give) {
+  const auto batch =
+      random_batch([](const auto& s) { return viscous_jkr(s, yielding_loss_of(s), regime_warnings{}); }, 300);
+  const auto found = collide(batch, {.tolerance = 1e-8});
+  int yielded = 0;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const auto alone = integrate(batch[i].model, batch[i].impact, {.tolerance = 1e-10});
+    BOOST_TEST((found[i].ending == alone.ending || !found[i].ending_is_certain));
+    BOOST_TEST(std::abs(found[i].restitution.value_or(0) - alone.restitution.value_or(0)) <=
+               found[i].error_estimate + alone.error_estimate);
+    BOOST_TEST((found[i].plastic_loss == alone.plastic_loss && found[i].warnings == alone.warnings));
+    yielded += found[i].plastic_loss > 0;
+  }
+  BOOST_TEST((yielded > 50 && yielded < 300));
 }
 
 BOOST_AUTO_TEST_CASE(progress_is_told_until_all_is_done) {

@@ -132,7 +132,18 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
       throw bad_input("impact " + std::to_string(i) + ": " + e.what());
     }
   std::vector<outcome_of<Model>> outcomes(count);
-  if constexpr (runs_in_lanes<Model>() && !closed_form::solved<Model>)
+  if constexpr (Model::yields) { // its loss is added to that of the motion
+    std::vector<scene<elastic_part<Model>>> elastic;
+    elastic.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+      elastic.push_back({scene_of(i).model.without_plasticity(), scene_of(i).impact});
+    const auto moved = collide_all<elastic_part<Model>>(
+        count, options, [&](std::size_t i) -> const scene<elastic_part<Model>>& { return elastic[i]; });
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [model, impact] = scene_of(i);
+      outcomes[i] = warned(model, impact.speed, with_plastic_loss(model, impact.speed, moved[i]));
+    }
+  } else if constexpr (runs_in_lanes<Model>() && !closed_form::solved<Model>)
     share(count, batch_part<Model>::size, options.threads, options.progress, [&](std::size_t first, std::size_t last) {
       batch_part<Model> part(scene_of(first).model, options.max_evaluations);
       part.solve(

@@ -1,6 +1,5 @@
 // Krijt et al.'s way from measured restitutions to parameters: chi^2 on a grid of them [Krijt 2013, section 4.1].
 #pragma once
-#include <ricochet/batch/batch.hpp>
 #include <ricochet/study/fit.hpp>
 
 namespace ricochet {

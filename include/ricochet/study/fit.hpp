@@ -1,6 +1,6 @@
 // Which parameters of a family of models measured restitutions tell, and how well.
 #pragma once
-#include <ricochet/batch/share.hpp>
+#include <ricochet/batch/batch.hpp>
 #include <ricochet/study/sensitivity.hpp>
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -85,6 +85,7 @@ public:
       require(which + "error", data[i].error, non_negative);
       if ((data[i].error > 0) != errors_known_)
         throw bad_input(which + "errors must be given for all measurements or for none");
+      impacts_.push_back({data[i].speed});
     }
     if (data.size() <= N)
       throw bad_input("fit: " + std::to_string(data.size()) + " measurements are too few for " + std::to_string(N) +
@@ -99,7 +100,7 @@ public:
     all.fill(true);
     for (std::size_t i = 0; i < std::min<std::size_t>(3, starts.size()); ++i) {
       numbers from = starts[i].second;
-      if (const double square_sum = minimise(from, all); square_sum < best) {
+      if (const double square_sum = minimise(from, all, 1e-9); square_sum < best) {
         best = square_sum;
         x = from;
       }
@@ -128,16 +129,16 @@ private:
   double residual(std::size_t i, double e) const { return (e - data_[i].restitution.value_or(0)) / error_of(i); }
 
   Eigen::VectorXd residuals(const numbers& x, double tolerance) {
-    const model_type model = family_(at(x));
+    const auto outcomes = collide(family_(at(x)), std::span<const impact>(impacts_),
+                                  batch_options{.tolerance = tolerance, .threads = options_.threads});
     Eigen::VectorXd r(data_.size());
-    share(data_.size(), 4, options_.threads, {}, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-        r[Eigen::Index(i)] =
-            residual(i, collide(model, impact{data_[i].speed}, {.tolerance = tolerance}).restitution.value_or(0));
-    });
+    for (std::size_t i = 0; i < data_.size(); ++i)
+      r[Eigen::Index(i)] = residual(i, outcomes[i].restitution.value_or(0));
     collisions_ += data_.size();
     return r;
   }
+
+  static constexpr double derivative_tolerance = 1e-4; ///< a search needs no more, nor do standard errors
 
   /// Derivatives of the residuals by the position in the box.
   Eigen::MatrixXd derivatives(const numbers& x) {
@@ -148,7 +149,7 @@ private:
     share(data_.size(), 2, options_.threads, {}, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const moving_scene<N, model_type> scene{model, impact{data_[i].speed}, slope};
-        const auto e = differentiate(scene, {.tolerance = 1e-6});
+        const auto e = differentiate(scene, {.tolerance = derivative_tolerance});
         for (std::size_t k = 0; k < N; ++k)
           jacobian(Eigen::Index(i), Eigen::Index(k)) = e.derivative[k] * slope_of_position(k, p) / error_of(i);
       }
@@ -222,7 +223,7 @@ private:
   };
 
   /// Least sum of squares next to x, with the positions that are free; x becomes the place.
-  double minimise(numbers& x, const std::array<bool, N>& free) {
+  double minimise(numbers& x, const std::array<bool, N>& free, double precision) {
     std::vector<std::size_t> moving;
     for (std::size_t k = 0; k < N; ++k)
       if (free[k])
@@ -235,8 +236,8 @@ private:
       u[Eigen::Index(m)] = std::asin(std::clamp(2 * x[moving[m]] - 1, -0.9999, 0.9999));
     Eigen::LevenbergMarquardt<functor> search(problem);
     search.setMaxfev(200);
-    search.setFtol(1e-12);
-    search.setXtol(1e-9);
+    search.setFtol(precision);
+    search.setXtol(precision);
     search.minimize(u);
     x = problem.position(u);
     return square(search.fnorm());
@@ -298,7 +299,7 @@ private:
       numbers near = best; // the others move along with it
       const auto excess = [&](double position) {
         near[k] = position;
-        return minimise(near, free) - least - allowed;
+        return minimise(near, free, 1e-5) - least - allowed;
       };
       const double end = side < 0 ? 0 : 1;
       double inside = best[k], value_inside = -allowed;
@@ -333,6 +334,7 @@ private:
   std::span<const measurement> data_;
   const std::array<free_parameter, N>& free_;
   const fit_options& options_;
+  std::vector<impact> impacts_;
   bool errors_known_ = false;
   std::size_t collisions_ = 0;
 };

@@ -183,7 +183,8 @@ differentiated_restitution<N> differentiate(const moving_scene<N, Model>& scene,
     if (!out.restitution)
       return found;
     bool by_duals = false;
-    for (double tolerance = 1e-8; !by_duals && tolerance > 1e-13; tolerance /= 100) {
+    for (double tolerance = std::clamp(options.tolerance / 100, 1e-12, 1e-6); !by_duals && tolerance > 1e-14;
+         tolerance /= 100) {
       const auto rough = derivatives_by_duals(scene, tolerance), fine = derivatives_by_duals(scene, tolerance / 16);
       if (!rough || !fine)
         break;
