@@ -81,6 +81,35 @@ BOOST_AUTO_TEST_CASE(noise_is_in_the_intervals) {
   recovers(without, {found.parameters[0].value, found.parameters[1].value}, 1e-2);
 }
 
+BOOST_AUTO_TEST_CASE(intervals_hold_the_truth_as_often_as_they_say) {
+  // RICOCHET_REPETITIONS: how many sets of measurements, 100 unless given; the bound is four standard deviations wide.
+  const char* asked = std::getenv("RICOCHET_REPETITIONS");
+  const int repetitions = asked ? std::atoi(asked) : 100;
+  const std::array<double, 2> truth{0.6, 2e-10};
+  const auto exact = measured(viscous(truth), 0.5, 40, 30);
+  for (const bool errors_known : {true, false}) {
+    std::mt19937_64 source(3);
+    std::normal_distribution<double> noise(0, 0.005);
+    std::array<int, 2> inside{};
+    for (int i = 0; i < repetitions; ++i) {
+      auto data = exact;
+      for (auto& each : data) {
+        if (each.restitution)
+          *each.restitution += noise(source);
+        each.error = errors_known ? 0.005 : 0;
+      }
+      const auto found = fit(viscous, data, of_viscous, {.tolerance = 1e-6});
+      for (std::size_t k = 0; k < 2; ++k)
+        inside[k] += found.parameters[k].low <= truth[k] && truth[k] <= found.parameters[k].high;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double share = double(inside[k]) / repetitions;
+      BOOST_TEST_MESSAGE(of_viscous[k].name << (errors_known ? "" : ", errors unknown") << ": inside " << share);
+      BOOST_TEST(std::abs(share - 0.95) < 4 * std::sqrt(0.95 * 0.05 / repetitions), share);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(sticking_is_data) {
   // Only pairs that stuck at low speed and one that bounced tell that there is adhesion at all.
   const auto family = [](const std::array<double, 1>& p) {

@@ -8,7 +8,7 @@ namespace support {
 #ifdef RICOCHET_TEST_DATA
 /// Those of a file of tests/data.
 inline std::vector<std::map<std::string, std::string>> read_rows(const std::string& file) {
-  return rows_of(std::string(RICOCHET_TEST_DATA) + "/" + file);
+  return rows_of(RICOCHET_TEST_DATA "/" + file);
 }
 #endif
 
