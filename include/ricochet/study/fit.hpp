@@ -52,8 +52,8 @@ struct fit_result {
   Eigen::MatrixXd correlation;
   double chi_square; ///< sum of squares of the residuals over their errors, or over `scatter` where none are known
   double scatter;    ///< standard deviation of one restitution, estimated from the residuals; 1 where errors are known
-  int degrees_of_freedom;
-  std::vector<double> residuals;     ///< measured minus fitted restitution; of pairs that stuck and would, zero
+  int degrees_of_freedom;        ///< measured restitutions less parameters: pairs that stuck, and would, do not scatter
+  std::vector<double> residuals; ///< measured minus fitted restitution; of pairs that stuck and would, zero
   std::vector<std::string> warnings; ///< what the data do not tell
   std::size_t collisions;            ///< that were computed
 };
@@ -86,10 +86,12 @@ public:
       if ((data[i].error > 0) != errors_known_)
         throw bad_input(which + "errors must be given for all measurements or for none");
       impacts_.push_back({data[i].speed});
+      bounced_ += data[i].restitution.has_value();
     }
-    if (data.size() <= N)
-      throw bad_input("fit: " + std::to_string(data.size()) + " measurements are too few for " + std::to_string(N) +
-                      " free parameters");
+    if (errors_known_ ? data.size() < N : bounced_ <= N)
+      throw bad_input("fit: " + std::to_string(errors_known_ ? data.size() : bounced_) +
+                      (errors_known_ ? " measurements" : " measured restitutions, of unknown errors,") +
+                      " are too few for " + std::to_string(N) + " free parameters");
   }
 
   fit_result solve() {
@@ -246,7 +248,7 @@ private:
   fit_result judged(const numbers& best, double square_sum) {
     const numbers p = at(best);
     fit_result result{};
-    result.degrees_of_freedom = int(data_.size() - N);
+    result.degrees_of_freedom = int(bounced_) - int(N);
     result.scatter = errors_known_ ? 1 : std::sqrt(square_sum / result.degrees_of_freedom);
     result.chi_square = square_sum / square(result.scatter);
     const Eigen::VectorXd r = residuals(best, options_.tolerance);
@@ -335,6 +337,7 @@ private:
   const std::array<free_parameter, N>& free_;
   const fit_options& options_;
   std::vector<impact> impacts_;
+  std::size_t bounced_ = 0;
   bool errors_known_ = false;
   std::size_t collisions_ = 0;
 };
