@@ -71,7 +71,7 @@ private:
   /// Share of the initial energy that errors of both solutions may have in common: they vary in sign and size with the
   /// tolerance, and now and then are the same. Long steps err more at the fold, and all do where damping sets in with
   /// a root of the overlap. The factors are those with which tests/solve/accuracy, run for 20000 scenes of each
-  /// instance (RICOCHET_SCENES; 2000 with a crack law), finds no error above its estimate.
+  /// instance (RICOCHET_SCENES; 700 with a crack law), finds no error above its estimate.
   real by_chance() const {
     real of_steps = Reduced::damped && !Reduced::adhesive ? 2 : 1;
     if (Reduced::adhesive || Reduced::damped)
