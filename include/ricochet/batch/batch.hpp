@@ -40,10 +40,11 @@ double lane_tolerance(double wanted) {
 }
 /// Error of a collision's energy to be reckoned with, unless found larger, in units of the kinetic one, in which
 /// `largest` is the largest energy met. Contacts pulled by a force without an edge err up to ten times more than
-/// others.
+/// others, free edges up to three times more where steps are long.
 template <class Model>
 double usual_lane_error(double tolerance, double largest) {
-  return (Model::attracted ? 0.5 : 0.1) * std::pow(tolerance, 7. / 6) * std::sqrt(largest);
+  const double of_steps = Model::has_crack_law ? std::max(1., std::cbrt(2.7e5 * tolerance)) : 1;
+  return (Model::attracted ? 0.5 : 0.1) * of_steps * std::pow(tolerance, 7. / 6) * std::sqrt(largest);
 }
 
 /// Outcome from two solutions at step tolerances `tolerance` and a quarter of it, both in units of the speed; none

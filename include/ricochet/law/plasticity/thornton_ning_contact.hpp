@@ -49,15 +49,20 @@ struct thornton_ning_contact_law {
   contact_shape<S> shape(const basic_pair<S>& pair, root_length flattening, length yielded, length largest) const {
     const length a = largest, R = pair.reduced_radius;
     const number strain = number(3) * pi<number>() * yield_pressure() / (number(4) * pair.reduced_modulus);
-    const auto area = yielded * yielded * (yielded / R) + strain * (a - yielded) * (a + yielded) +
-                      flattening * (a * sqrt(a) - yielded * sqrt(yielded)); // 3F_1/4E*
-    const auto slope = number(2) * strain * a + number(3) * flattening * sqrt(a) / number(2);
+    // 3F_1/4E* is `area`; of it and a^3/R that which has grown since yield, so that at yield nothing is left but zeros.
+    const length growth = a - yielded;
+    const root_length root = sqrt(a), root_yielded = sqrt(yielded);
+    const auto grown_area =
+        growth * (strain * (a + yielded) + flattening * (a + root * root_yielded + yielded) / (root + root_yielded));
+    const auto grown_cube = growth * ((a * a + a * yielded + yielded * yielded) / R);
+    const auto area = yielded * yielded * (yielded / R) + grown_area;
+    const auto slope = number(2) * strain * a + number(3) * flattening * root / number(2);
     const auto per_radius = number(1) / a;
     const auto per_area = number(1) / area;
     const number flat = a / R;
     contact_shape<S> result;
     result.radius = a * (a * a * per_area);
-    result.residual_approach = (a * a * flat - area) * per_radius; // exactly 0 at yield
+    result.residual_approach = (grown_cube - grown_area) * per_radius;
     result.radius_slope = (number(3) * a * a - result.radius * slope) * per_area;
     result.approach_slope = number(2) * flat - (slope - area * per_radius) * per_radius;
     return result;
