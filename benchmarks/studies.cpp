@@ -1,4 +1,4 @@
-// Time of what is made of many collisions: maps of e(v), fits and grids of chi^2.
+// Time of what is made of many collisions: maps of e and of durations, fits and grids of chi^2.
 #include <ricochet/collide.hpp>
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
@@ -6,6 +6,7 @@
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/study/chi_square_grid.hpp>
+#include <ricochet/study/jkr_map.hpp>
 #include <ricochet/study/restitution_map.hpp>
 #include <ricochet/study/sweep.hpp>
 
@@ -51,27 +52,84 @@ std::vector<measurement> measured(std::size_t n, double error) {
   return data;
 }
 
-template <class Model>
-void of_map(const std::string& name, const Model& model) {
+std::vector<double> even_in_logarithm(double from, double to) {
+  std::mt19937_64 source(1);
+  std::uniform_real_distribution<double> uniform(std::log(from), std::log(to));
+  std::vector<double> numbers(4096);
+  for (double& x : numbers)
+    x = std::clamp(std::exp(uniform(source)), from, to);
+  return numbers;
+}
+
+/// Times of one map: made, asked one by one, in packs, and through C.
+template <class Make, class Many>
+void of_map(const std::string& name, const Make& make, const Many& many) {
   benchmark::RegisterBenchmark(("map/make/" + name).c_str(),
-                               [model](benchmark::State& state) {
+                               [make](benchmark::State& state) {
                                  std::size_t pieces = 0;
                                  for (auto _ : state)
-                                   pieces = make_restitution_map(model, slowest, fastest).pieces().size();
+                                   pieces = make().pieces().size();
                                  state.counters["pieces"] = double(pieces);
                                })
       ->Unit(benchmark::kMillisecond)
       ->UseRealTime();
-  benchmark::RegisterBenchmark(("map/ask/" + name).c_str(), [model](benchmark::State& state) {
-    const auto map = make_restitution_map(model, slowest, fastest);
-    std::mt19937_64 source(1);
-    std::uniform_real_distribution<double> uniform(std::log(in_si(slowest)), std::log(in_si(fastest)));
-    std::vector<double> speeds(4096);
-    for (double& v : speeds)
-      v = std::min(std::exp(uniform(source)), in_si(fastest));
+  const auto speeds = even_in_logarithm(in_si(slowest), in_si(fastest));
+  benchmark::RegisterBenchmark(("map/ask/" + name).c_str(), [make, speeds](benchmark::State& state) {
+    const auto map = make();
     std::size_t i = 0;
     for (auto _ : state)
       benchmark::DoNotOptimize(map(speeds[i++ % speeds.size()]));
+  });
+  benchmark::RegisterBenchmark(("map/ask in packs/" + name).c_str(), [make, many, speeds](benchmark::State& state) {
+    const auto map = make();
+    std::vector<double> values(speeds.size());
+    for (auto _ : state) {
+      many(&map, speeds.data(), values.data(), speeds.size());
+      benchmark::ClobberMemory();
+    }
+    state.counters["each"] = benchmark::Counter(double(speeds.size()), benchmark::Counter::kIsIterationInvariantRate |
+                                                                           benchmark::Counter::kInvert);
+  });
+}
+
+template <class Model>
+void of_restitution(const std::string& name, const Model& model) {
+  of_map(
+      name, [model] { return make_restitution_map(model, slowest, fastest); }, &restitution_map::restitutions);
+}
+template <class Model>
+void of_duration(const std::string& name, const Model& model) {
+  of_map(
+      "duration, " + name, [model] { return make_duration_map(model, slowest, fastest); },
+      &duration_map::contact_durations);
+}
+
+constexpr family_map::interval dampings{1e-4, 0.4}, reduced_speeds{1, 1e4};
+
+void of_all_pairs() {
+  benchmark::RegisterBenchmark(
+      "map/make/all pairs of jkr+kuwabara_kono",
+      [](benchmark::State& state) {
+        std::size_t patches = 0;
+        for (auto _ : state)
+          patches = make_jkr_map(dampings, reduced_speeds, {.max_error = 1 / double(state.range(0))}).patches();
+        state.counters["patches"] = double(patches);
+      })
+      ->ArgName("1/error")
+      ->Arg(10'000)
+      ->Arg(1'000'000)
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
+  benchmark::RegisterBenchmark("map/ask/all pairs of jkr+kuwabara_kono", [](benchmark::State& state) {
+    const auto map = make_jkr_map(dampings, reduced_speeds);
+    const auto speeds = even_in_logarithm(reduced_speeds.low, reduced_speeds.high);
+    auto parameters = even_in_logarithm(dampings.low, dampings.high);
+    std::shuffle(parameters.begin(), parameters.end(), std::mt19937_64(2));
+    std::size_t i = 0;
+    for (auto _ : state) {
+      benchmark::DoNotOptimize(map(speeds[i], parameters[i]));
+      i = (i + 1) % speeds.size();
+    }
   });
 }
 } // namespace
@@ -79,9 +137,16 @@ void of_map(const std::string& name, const Model& model) {
 int main(int argc, char** argv) {
   const auto with_edge = family(truth);
   const auto slaved = with_edge.without_plasticity().with_static_edge();
-  of_map("jkr+kuwabara_kono", slaved);
-  of_map("jkr+greenwood+kuwabara_kono", with_edge.without_plasticity());
-  of_map("jkr+greenwood+kuwabara_kono+thornton_ning", with_edge);
+  of_restitution("jkr+kuwabara_kono", slaved);
+  of_restitution("jkr+greenwood+kuwabara_kono", with_edge.without_plasticity());
+  of_restitution("jkr+greenwood+kuwabara_kono+thornton_ning", with_edge);
+  for (const double T : {1e-12, 1e-13, 1e-14, 1e-15})
+    of_restitution("jkr+greenwood+kuwabara_kono, T_vis = " + detail::exact(T) + " s",
+                   family({truth[0], T, truth[2]}).without_plasticity());
+  of_duration("jkr+kuwabara_kono", compose(slaved.pair, hertz{}, slaved.adhesion, slaved.damping, contact_duration{}));
+  of_duration("jkr+greenwood+kuwabara_kono",
+              compose(slaved.pair, hertz{}, slaved.adhesion, with_edge.crack, slaved.damping, contact_duration{}));
+  of_all_pairs();
 
   benchmark::RegisterBenchmark("fit/50 speeds, 3 parameters",
                                [](benchmark::State& state) {

@@ -1,4 +1,5 @@
 #include "arguments.hpp"
+#include "as_typed.hpp"
 #include "input_columns.hpp"
 #include "output_table.hpp"
 #include "scene_reader.hpp"
@@ -75,17 +76,6 @@ EXAMPLE
   return text;
 }
 
-/// An argument as a shell would need it, on one line.
-std::string as_typed(const std::string& argument) {
-  const bool plain =
-      !argument.empty() && argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                      "0123456789_-+=./:,@%") == std::string::npos;
-  std::string out;
-  for (const char c : argument)
-    out += c == '\'' ? "'\\''" : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
-  return plain ? out : '\'' + out + '\'';
-}
-
 } // namespace
 
 std::optional<arguments> read_arguments(int argc, const char* const* argv, int& status) {
@@ -131,9 +121,7 @@ std::optional<arguments> read_arguments(int argc, const char* const* argv, int& 
   for (const stepper_choice& choice : steppers)
     if (choice.name == stepper)
       given.stepper = choice;
-  given.command = "collisions";
-  for (int i = 1; i < argc; ++i)
-    given.command += ' ' + as_typed(argv[i]);
+  given.command = command_as_typed("collisions", argc, argv);
   return given;
 }
 

@@ -91,6 +91,13 @@ std::optional<std::string> meant_by(const std::string& name, const header& heade
 
 } // namespace
 
+std::optional<std::string> unit_of(const std::string& name) {
+  for (const input_column& column : columns)
+    if (name == column.name)
+      return column.unit;
+  return {};
+}
+
 std::string input_help() {
   std::string all;
   for (const input_column& column : columns)

@@ -2,10 +2,14 @@
 #pragma once
 #include "row.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace collisions {
+
+/// Unit of an input column, "" of text; nothing if there is no such column.
+std::optional<std::string> unit_of(const std::string& column);
 
 /// Input columns with units and who needs them, one a line, for the help.
 std::string input_help();

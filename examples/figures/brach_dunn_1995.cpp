@@ -3,6 +3,7 @@
 #include "figures.hpp"
 
 #include <ricochet/closed_form/rigid_body.hpp>
+#include <ricochet/study/population.hpp>
 
 #include <cstdio>
 
@@ -143,6 +144,45 @@ void figure_6(const std::string& directory) {
   out.finish();
 }
 
+/// Figure 6 of all sizes. Assumed: diameters are lognormal, nine tenths between those of its curves, 5 and 13 um.
+void population(const std::string& directory) {
+  using closed_form::damping_coefficient_of_brach_dunn;
+  sheet out(directory, "brach_dunn_1995_population",
+            "restitutions that 5, 25, 50, 75 and 95 % of the spheres stay below, and the share that sticks; " +
+                about_simulation +
+                ", zeta_H 10.45, diameters assumed lognormal, nine tenths from 5 to 13 um, 4000 spheres at each speed; last: "
+                "measured, as printed in the text",
+            {{"speed", "m/s"},
+             {"e_of_5_percent", "1"},
+             {"e_of_25_percent", "1"},
+             {"e_of_50_percent", "1"},
+             {"e_of_75_percent", "1"},
+             {"e_of_95_percent", "1"},
+             {"captured_fraction", "1"},
+             {"measured_8.6_um", "1"},
+             {"measured_10.12_um", "1"}});
+  for (const double v : logarithmic(0.5, 30, 81)) {
+    const speed at = v * metres_per_second;
+    const auto draw = [&](std::mt19937_64& random) {
+      std::lognormal_distribution<double> diameter(std::log(std::sqrt(5. * 13.)), std::log(13. / 5.) / (2 * 1.6449));
+      const auto pair = between(sphere{glass, 0.5 * diameter(random) * micrometres}, flat_wall{steel});
+      return scene{compose(pair, hertz{},
+                           line_force{.force_per_length = force_per_length,
+                                      .rebound_coefficient = damping_coefficient_of_brach_dunn(zeta_a, pair, at)},
+                           hunt_crossley{.damping_coefficient = damping_coefficient_of_brach_dunn(10.45, pair, at)}),
+                   impact{.speed = at}};
+    };
+    const auto beam = sample_population(draw, 4000);
+    std::vector<double> row;
+    for (const double p : {0.05, 0.25, 0.5, 0.75, 0.95})
+      row.push_back(beam.quantile(p).value);
+    row.push_back(beam.captured_fraction().value);
+    out.row(v, 1, row);
+  }
+  out.row(in_si(table_1_speed), 7, {0.62, table_1_restitution});
+  out.finish();
+}
+
 void figure_A2(const std::string& directory) {
   sheet out(directory, "brach_dunn_1995_figure_A2",
             "energy restitutions of the rigid body of table 1: R = k/(k + v), k 130 m/s, e^2 = R^2 - B",
@@ -219,6 +259,7 @@ void brach_dunn_1995(const std::string& directory) {
   figure_2(directory);
   figure_4(directory);
   figure_6(directory);
+  population(directory);
   figure_A2(directory);
 }
 

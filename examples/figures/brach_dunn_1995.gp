@@ -59,6 +59,25 @@ do for [format in 'svg png'] {
     data using 'speed':'measured_10.12_um' with points pt 7 ps 1 lc rgb '#000000' title 'measured, table 1', \
     data using 'speed':'measured_8.6_um' with points pt 6 ps 1.2 lw 2 lc rgb '#000000' title 'measured, 8.6 {/Symbol m}m'
 
+  # 6, of all sizes
+  data = csv('brach_dunn_1995_population')
+  eval plain
+  eval draw('brach_dunn_1995_population', 800, 550)
+  set title 'silver-coated glass on steel: diameters lognormal, nine tenths from 5 to 13 {/Symbol m}m (assumed)'
+  set xlabel 'initial normal velocity (m/s)'
+  set ylabel 'velocity ratio V_n/v_n; share captured'
+  set xrange [0:25]
+  set yrange [0:1]
+  set key bottom right
+  set style fill transparent solid 0.25 noborder
+  plot \
+    data using 'speed':'e_of_5_percent':'e_of_95_percent' with filledcurves lc rgb blue title 'nine tenths of the spheres', \
+    data using 'speed':'e_of_25_percent':'e_of_75_percent' with filledcurves fs transparent solid 0.5 noborder lc rgb blue title 'half of them', \
+    data using 'speed':'e_of_50_percent' with lines lw 2.5 lc rgb blue title 'median', \
+    data using 'speed':'captured_fraction' with lines lw 2 dt 2 lc rgb red title 'share captured', \
+    data using 'speed':'measured_10.12_um' with points pt 7 ps 1 lc rgb '#000000' title 'measured, 10.12 {/Symbol m}m', \
+    data using 'speed':'measured_8.6_um' with points pt 6 ps 1.2 lw 2 lc rgb '#000000' title 'measured, 8.6 {/Symbol m}m'
+
   # 7: forces over time
   data = csv('brach_dunn_1995_figure_7')
   eval plain

@@ -2,6 +2,8 @@
 // and whether plastic and adhesive losses may be added (30).
 #include "figures.hpp"
 
+#include <ricochet/study/threshold_map.hpp>
+
 #include <array>
 #include <cstdio>
 
@@ -206,35 +208,38 @@ void restitution_over_radius(const std::string& directory) {
   out.finish();
 }
 
-/// Sought upwards from the static edge's; no number where the pair sticks up to a tenth of ice's speed of sound.
-template <class Model>
-double sticking_speed_above(const Model& model, speed low) {
-  const speed fastest = 265.0 * metres_per_second;
-  for (speed high = 1.2 * low; high < fastest; high *= 1.2)
-    if (collide(model, impact{.speed = high}, {.tolerance = 1e-6}).ending == ending::separated) {
-      const auto found = sticking_speed(model, 0.8 * low, high, 1e-6);
-      if (found.smallest_separated < 1.001 * found.largest_captured) // else the ending was uncertain before
-        return in_si(found.value());
-      break;
-    }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
+/// No number where the pair sticks up to a tenth of ice's speed of sound.
 void sticking_speed_over_radius(const std::string& directory) {
   const std::array relaxation_times{1e-13, 1e-12, 1e-11, 1e-10};
   std::vector<column> columns{{"reduced_radius", "m"}, {"jkr", "m/s"}};
   for (const double T : relaxation_times)
     columns.push_back({"T_vis_" + shown(T) + "_s", "m/s"});
   sheet out(directory, "krijt_2013_figure_5_right", "sticking speed; " + about_ice, columns);
-  for (const double R : logarithmic(1e-7, 1e-5, 41)) {
-    const contact_pair at = ice(2 * R * metres);
-    const speed elastic = closed_form::sticking_speed(at, adhesive.work_of_adhesion);
-    std::vector<double> row{in_si(elastic)};
-    for (const double T : relaxation_times) {
-      const auto model = compose(at, hertz{}, adhesive, edge(T * seconds), bulk(T * seconds));
-      row.push_back(sticking_speed_above(model, elastic));
+  struct point {
+    length reduced_radius;
+    duration T_vis;
+  };
+  std::vector<point> points;
+  for (const double R : logarithmic(1e-7, 1e-5, 41))
+    for (const double T : relaxation_times)
+      points.push_back({R * metres, T * seconds});
+  // [sticking speeds]
+  const auto found = sticking_speeds(
+      [](const point& p) {
+        return compose(ice(2.0 * p.reduced_radius), hertz{}, adhesive, edge(p.T_vis), bulk(p.T_vis));
+      },
+      points, {.relative_width = 1e-6, .fastest = 265.0 * metres_per_second});
+  // [sticking speeds]
+  for (std::size_t i = 0; i < points.size(); i += relaxation_times.size()) {
+    const length R = points[i].reduced_radius;
+    std::vector<double> row{in_si(closed_form::sticking_speed(ice(2.0 * R), adhesive.work_of_adhesion))};
+    for (std::size_t j = i; j < i + relaxation_times.size(); ++j) {
+      if (found[j].at == sought_threshold::place::failed)
+        throw std::runtime_error("figure 5: " + found[j].reason);
+      const auto value = found[j].value();
+      row.push_back(value ? in_si(*value) : std::numeric_limits<double>::quiet_NaN());
     }
-    out.row(R, 1, row);
+    out.row(in_si(R), 1, row);
   }
   out.finish();
 }

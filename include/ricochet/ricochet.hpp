@@ -48,6 +48,7 @@
 #include <ricochet/solve/oblique.hpp>
 #include <ricochet/solve/steppers.hpp>
 
+#include <ricochet/study/brach_dunn_fit.hpp>
 #include <ricochet/study/sweep.hpp>
 #include <ricochet/study/table.hpp>
 #include <ricochet/study/threshold.hpp>

@@ -8,7 +8,7 @@ rm -rf "$directory"
 "$program" "$directory"
 failed=0
 for name in krijt_2013_figure_{2,3,5_left,5_right,C1,C2} krijt_2013_crack_velocity_law krijt_2013_losses_added \
-  brach_dunn_1995_figure_{2,4,6,7,8,9,A2} brach_dunn_1995_tangential_motion kharaz_2001 kharaz_2001_residuals; do
+  brach_dunn_1995_figure_{2,4,6,7,8,9,A2} brach_dunn_1995_population brach_dunn_1995_tangential_motion kharaz_2001 kharaz_2001_residuals; do
   file=$directory/$name.csv
   if [[ ! -s $file ]]; then
     echo "$file is missing or empty"

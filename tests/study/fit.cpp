@@ -141,6 +141,47 @@ BOOST_AUTO_TEST_CASE(what_the_data_do_not_tell_is_said) {
   BOOST_TEST(said(found, "Y: the data give no upper limit"));
 }
 
+BOOST_AUTO_TEST_CASE(a_model_that_does_not_describe_the_data_is_pointed_out) {
+  const auto hertzian = [](const std::array<double, 1>& p) {
+    return compose(ice.pair, hertz{}, kuwabara_kono{p[0] * seconds});
+  };
+  const auto adhesive = measured(viscous({0.6, 2e-10}), 2, 40, 12, 0.01);
+  const auto found = fit(hertzian, adhesive, std::array{free_parameter{"bulk_time", 1e-12, 1e-8}});
+  BOOST_TEST_REQUIRE(found.warnings.size() == 1);
+  BOOST_TEST(found.warnings[0].find("the model does not describe the data") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(collisions_that_cannot_be_resolved_turn_the_search_elsewhere) {
+  // A curve that is known above p = 0.3 only; below, where most of the box is, it says that it cannot tell.
+  const std::vector<measurement> data{{1.0 * metres_per_second, 0.5, 0.01}, {2.0 * metres_per_second, 0.7, 0.01}};
+  const restitution_curve curve{[&](const std::vector<double>& p, double) {
+    const double e = p[0] < 0.3 ? std::numeric_limits<double>::quiet_NaN() : p[0];
+    return std::vector<double>{e, e + 0.2};
+  }};
+  const std::array<free_parameter, 1> free{free_parameter{"p", 1e-4, 1}};
+  BOOST_TEST(std::abs(fit_curve(curve, data, free).parameters[0].value - 0.5) < 1e-6);
+  const restitution_curve short_one{[](const std::vector<double>&, double) { return std::vector<double>(1, 0.5); }};
+  BOOST_CHECK_THROW(fit_curve(short_one, data, free), bad_input);
+  const restitution_curve nowhere{[](const std::vector<double>&, double) {
+    return std::vector<double>(2, std::numeric_limits<double>::quiet_NaN());
+  }};
+  BOOST_CHECK_EXCEPTION(fit_curve(nowhere, data, free), bad_input, [](const bad_input& e) {
+    return std::string(e.what()) == "fit: the search ended where the collision at 1 m/s cannot be resolved; narrow the "
+                                    "ranges of the free parameters";
+  });
+}
+
+BOOST_AUTO_TEST_CASE(ranges_may_end_where_physics_does) {
+  const auto family = [](const std::array<double, 2>& p) { // w from 0 on, A from 0 on
+    return compose(ice.pair, hertz{}, jkr{p[0] * joules_per_square_metre}, kuwabara_kono{p[1] * 1e-10 * seconds});
+  };
+  const std::array<free_parameter, 2> free{free_parameter{"w", 0, 3}, free_parameter{"A", 0, 200}};
+  recovers(fit(family, measured(family({0.6, 2}), 0.5, 40, 16), free), {0.6, 2}, 1e-6);
+  const auto elastic = fit(family, measured(family({0.6, 0}), 1.5, 40, 16, 0.01, 5), free); // the truth is at the end
+  BOOST_TEST(std::abs(elastic.parameters[0].value - 0.6) < 0.1);
+  BOOST_TEST(elastic.parameters[1].low == 0);
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_refused_by_name) {
   const auto refused = [](const std::vector<measurement>& data, const std::array<free_parameter, 2>& free,
                           const std::string& part) {

@@ -47,12 +47,20 @@ public:
   const outcome_type& outcome() const { return out_; }
   bool ended() const { return ended(out_.ending) && ended(rough_.ending); }
   bool certain() const { return out_.ending_is_certain; }
+  /// Is the energy's error round-off for the most part, and all that is not met? Closer solutions then tell no more.
+  bool limited() const { return limited_ && !(unmet() > real(out_.error_estimate)); }
 
-  /// The error of the restitution, or, if that is more, what the ledger lacks beyond round-off.
+  /// The error of the restitution, or, if that is more, what the ledger lacks beyond round-off, or by how much a loss in
+  /// it is negative.
   real unmet() const {
     real unmet = real(out_.error_estimate);
     if constexpr (Model::asked.ledger)
-      unmet = max<real>(unmet, abs(value_of(out_.ledger_residual)) - roundings_ * std::numeric_limits<real>::epsilon());
+      unmet = max<real>({unmet,
+                         abs(value_of(out_.ledger_residual)) - roundings_ * std::numeric_limits<real>::epsilon(),
+                         -value_of(out_.crack_loss), -value_of(out_.bulk_loss)});
+    if constexpr (Model::peels)
+      unmet = max<real>(unmet, abs(value_of(out_.friction_loss + out_.peeling_loss) -
+                                   value_of(rough_.friction_loss + rough_.peeling_loss)));
     return unmet;
   }
 
@@ -74,7 +82,7 @@ private:
   /// instance (RICOCHET_SCENES; 700 with a crack law), finds no error above its estimate.
   real by_chance() const {
     real of_steps = Reduced::damped && !Reduced::adhesive ? 2 : 1;
-    if (Reduced::adhesive || Reduced::damped)
+    if (Reduced::adhesive || Reduced::damped || Reduced::attracted)
       of_steps *= max<real>(1, cbrt(real(4e6f) * refinement * tolerance_));
     return of_steps * fine_.usual_error() * tolerance_ / speed_ *
            sqrt(max<real>(1, fine_.largest_energy() / kinetic()));
@@ -89,7 +97,9 @@ private:
     // The energy at the turning point is compared too, lest errors of the two legs that happen to cancel pass for
     // accuracy.
     const real first_leg = abs(value_of(fine_.energy_at_turning() - coarse_.energy_at_turning())) / kinetic();
-    const real energy_error = max<real>({difference_of_excess() / kinetic(), first_leg, by_chance()}) + round_off();
+    const real of_motion = max<real>({difference_of_excess() / kinetic(), first_leg, by_chance()});
+    const real energy_error = of_motion + round_off();
+    limited_ = of_motion < round_off() / 4;
     if (out_.restitution) {
       if (value_of(*out_.restitution) > real(1)) // losses never are negative: what exceeds one is error
         *out_.restitution -= T(value_of(*out_.restitution) - real(1));
@@ -134,6 +144,7 @@ private:
   collision<Reduced, Stepper> coarse_, fine_;
   outcome_type rough_, out_;
   real roundings_; ///< that add up over the steps, as far as they do
+  bool limited_ = false;
 };
 
 /// Solves at two step tolerances until their difference says that the restitution is known to the tolerance and the
@@ -155,7 +166,8 @@ auto solve_to_tolerance(const Reduced& model, const typename Reduced::number& sp
     evaluations += both.outcome().evaluations;
     rejected += both.outcome().rejected_steps;
     const bool met = both.certain() && both.unmet() <= wanted, spent = both.outcome().ending == ending::unresolved;
-    if (met || spent || tolerance <= finest || round == 6) {
+    const bool closest = tolerance <= finest || both.limited();
+    if (met || spent || closest || round == 6) {
       auto out = both.outcome();
       out.evaluations = evaluations;
       out.rejected_steps = rejected;

@@ -103,7 +103,7 @@ struct embedded {
 /// is that of one step against two halves.
 template <template <class State, class Real> class Method>
 struct doubled {
-  static constexpr double usual_error = 0.25;
+  static constexpr double usual_error = 0.8;
 
   template <class Flow>
   class method {

@@ -104,6 +104,32 @@ struct moving_scene {
   }
 };
 
+/// How all quantities of a family's model, and in a last row, of zeros, the speed, go with its numbers p: by
+/// differences of the family's formulas, for which each number is moved by once and twice its step.
+template <std::size_t N, class Family>
+std::vector<std::array<double, N>> slopes_of_quantities(const Family& family, const std::array<double, N>& p,
+                                                        const std::array<double, N>& step) {
+  using model_type = std::remove_cvref_t<std::invoke_result_t<const Family&, const std::array<double, N>&>>;
+  std::vector<std::array<double, N>> slope(quantity_count<model_type> + 1);
+  for (std::size_t k = 0; k < N; ++k) {
+    const double h = step[k];
+    const auto moved = [&](double by) {
+      std::array<double, N> q = p;
+      q[k] += by;
+      const model_type model = family(q);
+      std::vector<double> all;
+      for_each_quantity(model, [&](const char*, const auto& quantity) { all.push_back(in_si(quantity)); });
+      return all;
+    };
+    const auto up = moved(h), down = moved(-h), far_up = moved(2 * h), far_down = moved(-2 * h);
+    for (std::size_t i = 0; i < up.size(); ++i) {
+      const double by_two = (far_up[i] - far_down[i]) / (4 * h), by_one = (up[i] - down[i]) / (2 * h);
+      slope[i][k] = up[i] == down[i] ? 0 : (4 * by_one - by_two) / 3;
+    }
+  }
+  return slope;
+}
+
 /// By central differences at two distances, extrapolated; nothing where the pair is captured at one of them.
 template <std::size_t N, class Model>
 std::optional<double> derivative_by_differences(const moving_scene<N, Model>& scene, std::size_t j) {
