@@ -5,13 +5,13 @@
 #include <ricochet/body/validate.hpp>
 #include <ricochet/solve/accuracy.hpp>
 
-#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <boost/random/sobol.hpp>
 #include <boost/random/uniform_01.hpp>
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <unsupported/Eigen/LevenbergMarquardt>
 
@@ -78,6 +78,7 @@ namespace detail {
 
 class least_squares {
   using numbers = std::vector<double>;
+  using in_double = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 public:
   least_squares(const restitution_curve& curve, std::span<const measurement> data,
@@ -305,7 +306,7 @@ private:
 
   /// That noise of the errors given makes so large a chi^2.
   static double chance(const fit_result& result) {
-    return boost::math::cdf(complement(boost::math::chi_squared(result.degrees_of_freedom), result.chi_square));
+    return boost::math::gamma_q(result.degrees_of_freedom / 2., result.chi_square / 2, in_double());
   }
 
   fit_result judged(const numbers& best, double square_sum) {
@@ -336,9 +337,12 @@ private:
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(jacobian);
     decomposed.setThreshold(1e-7);
     const bool told = decomposed.rank() == n;
-    const Eigen::MatrixXd covariance = // of restitutions that scatter by one
-        told ? Eigen::MatrixXd((jacobian.transpose() * jacobian).inverse())
-             : Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::infinity());
+    Eigen::MatrixXd covariance = // of restitutions that scatter by one
+        Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::infinity());
+    if (told) {
+      const Eigen::MatrixXd inverse = decomposed.solve(Eigen::MatrixXd::Identity(jacobian.rows(), jacobian.rows()));
+      covariance = inverse * inverse.transpose();
+    }
     result.correlation = told ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))
                               : Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::quiet_NaN());
     if (!told)
@@ -376,10 +380,12 @@ private:
   void seek_interval(const numbers& best, double least, std::size_t k, double standard_error,
                      fitted_parameter& parameter, fit_result& result) {
     using namespace boost::math;
+    const double upper_tail = (1 + options_.confidence) / 2;
     const double allowed =
-        errors_known_
-            ? quantile(chi_squared(1), options_.confidence)
-            : square(result.scatter * quantile(students_t(result.degrees_of_freedom), (1 + options_.confidence) / 2));
+        square(errors_known_ ? quantile(normal_distribution<double, in_double>(), upper_tail)
+                             : result.scatter * quantile(students_t_distribution<double, in_double>(
+                                                             result.degrees_of_freedom),
+                                                         upper_tail));
     std::vector<bool> free(best.size(), true);
     free[k] = false;
     for (const double side : {-1., 1.}) {
