@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace collisions {
@@ -17,6 +18,12 @@ struct file_error : std::runtime_error {
 struct row_error : std::runtime_error {
   std::string place;
   row_error(std::string where, const std::string& reason) : std::runtime_error(reason), place(std::move(where)) {}
+};
+
+/// A column is not there that somebody needs.
+struct missing_column : row_error {
+  missing_column(const std::string& column, std::string_view needed_by)
+      : row_error("column " + column, "the header has no such column, and " + std::string(needed_by) + " needs it") {}
 };
 
 /// Text for a message: in double quotes, on one line and not too long.

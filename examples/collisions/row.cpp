@@ -35,10 +35,11 @@ row::row(const header& header, const csv_record& record) : header_(header), reco
 bool row::is_blank(const std::string& column) const { return !header_.has(column) || trimmed(cell(column)).empty(); }
 
 std::string row::text(const std::string& column, std::string_view needed_by) const {
-  if (is_blank(column))
-    throw row_error(place(column), header_.has(column)
-                                       ? fmt::format("blank, but needed by {}", needed_by)
-                                       : fmt::format("the header has no such column, and {} needs it", needed_by));
+  if (is_blank(column)) {
+    if (!header_.has(column))
+      throw missing_column(column, needed_by);
+    throw row_error(place(column), fmt::format("blank, but needed by {}", needed_by));
+  }
   return trimmed(cell(column));
 }
 

@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 #include "as_typed.hpp"
+#include "row.hpp"
 
 #include <ricochet/version.hpp>
 
@@ -123,7 +124,7 @@ std::optional<arguments> read_arguments(int argc, const char* const* argv, int& 
   app.add_option("--confidence", given.options.confidence, "of the intervals, below 1; 0: none")
       ->capture_default_str()
       ->type_name("NUMBER");
-  app.add_option("--starts", given.options.starts, "points that the search begins from")
+  app.add_option("--starts", given.options.starts, "points of the ranges that are looked at before the best are followed")
       ->capture_default_str()
       ->type_name("NUMBER");
   app.add_option("--tolerance", given.options.tolerance, "error of each restitution computed, 1e-12 to 1e-1")
@@ -141,20 +142,24 @@ std::optional<arguments> read_arguments(int argc, const char* const* argv, int& 
   };
   try {
     app.parse(argc, argv);
+    columns in_file;
     if (!scene.empty())
-      given.scene = scene_in(scene);
-    for (const std::string& each : set) {
-      const auto [column, value] = assignment(each, "--set", "COLUMN=VALUE");
-      given.scene[column] = value;
-    }
+      in_file = scene_in(scene);
     for (const std::string& each : free) {
       given.free.push_back(free_of(each));
-      given.scene.erase(given.free.back().name); // there it may have a first guess
+      in_file.erase(given.free.back().name); // there it may have a first guess
     }
     for (const std::string& each : ties) {
       given.ties.push_back(tie_of(each));
-      given.scene.erase(given.ties.back().column);
+      in_file.erase(given.ties.back().column);
     }
+    for (const std::string& each : set)
+      if (const auto added = given.scene.insert(assignment(each, "--set", "COLUMN=VALUE")); !added.second)
+        throw ricochet::bad_input(fmt::format("{} is set twice by --set", added.first->first));
+    given.scene.merge(in_file); // those set stay as they are
+    if (output.ends_with('/') || std::filesystem::is_directory(output))
+      throw ricochet::bad_input(fmt::format("-o {} is a folder: add the beginning of the files' names, as in {}/fit",
+                                            output, output.ends_with('/') ? output.substr(0, output.size() - 1) : output));
   } catch (const CLI::ParseError& ended) {
     if (ended.get_exit_code() != 0)
       return wrong(std::string(ended.what()) + "; see fit_restitution --help");

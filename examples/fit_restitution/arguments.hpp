@@ -1,11 +1,22 @@
 // The command line.
 #pragma once
-#include "family.hpp"
+#include <ricochet/study/measured_curve.hpp>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 
 namespace fit_restitution {
+
+/// One column is a multiple of another.
+struct tie {
+  std::string column;
+  double factor;
+  std::string of;
+};
+
+/// Columns and their cells, as `collisions` takes them.
+using columns = std::map<std::string, std::string>;
 
 struct arguments {
   std::string data;  ///< file of measurements

@@ -1,6 +1,7 @@
 #include "family.hpp"
 #include "input_columns.hpp"
 #include "restitutions.hpp"
+#include "solve.hpp"
 
 #include <fmt/format.h>
 
@@ -8,16 +9,15 @@ namespace fit_restitution {
 
 namespace {
 
-const std::string measured = "restitution", error = "error", speed = "speed";
+const std::string speed = "speed";
+
+bool is_measured(const std::string& column) { return column == "restitution" || column == "error"; }
 
 std::string text_of(double x) { return fmt::format("{}", x); } // as many digits as it takes
 
 } // namespace
 
-family::family(const ricochet::measured_curve& data, std::string data_name, columns scene,
-               const std::vector<ricochet::free_parameter>& free, std::vector<tie> ties, unsigned threads)
-    : data_(data), data_name_(std::move(data_name)), scene_(std::move(scene)), free_(free), ties_(std::move(ties)),
-      threads_(threads) {
+family::family(ricochet::measured_curve data, const arguments& given) : data_(std::move(data)), given_(given) {
   std::map<std::string, std::string> from; // who sets a column
   const auto sets = [&](const std::string& column, const std::string& who) {
     if (!collisions::unit_of(column))
@@ -28,28 +28,50 @@ family::family(const ricochet::measured_curve& data, std::string data_name, colu
   };
   for (const std::string& column : data_.columns)
     if (collisions::unit_of(column))
-      sets(column, data_name_);
-  for (const auto& [column, cell] : scene_)
+      sets(column, given_.data);
+  for (const auto& [column, cell] : given_.scene)
     sets(column, "--scene or --set");
-  for (const auto& each : free_) {
+  for (const auto& each : given_.free) {
     sets(each.name, "--free");
     if (collisions::unit_of(each.name)->empty() || each.name == speed)
       throw ricochet::bad_input("--free: " + each.name + " is no parameter");
   }
-  for (const tie& each : ties_) {
+  for (const tie& each : given_.ties) {
     sets(each.column, "--tie");
-    if (std::none_of(free_.begin(), free_.end(), [&](const auto& parameter) { return parameter.name == each.of; }))
+    if (std::none_of(given_.free.begin(), given_.free.end(), [&](const auto& free) { return free.name == each.of; }))
       throw ricochet::bad_input(fmt::format("--tie: {} is tied to {}, which is not free", each.column, each.of));
   }
+  std::vector<double> middle;
+  for (const auto& [name, low, high] : given_.free)
+    middle.push_back(low > 0 ? low * std::sqrt(high / low) : low + (high - low) / 2);
+  for (std::size_t i = 0; i < data_.data.size(); ++i)
+    (void)scene_of(columns_of(i, middle), i);
+}
+
+std::vector<std::string> family::unused_columns() const {
+  std::vector<std::string> unused;
+  for (const std::string& column : data_.columns)
+    if (!collisions::unit_of(column) && !is_measured(column))
+      unused.push_back(column);
+  return unused;
+}
+
+bool family::alike() const {
+  for (std::size_t i = 0; i < data_.columns.size(); ++i)
+    if (collisions::unit_of(data_.columns[i]) && data_.columns[i] != speed)
+      for (const auto& row : data_.cells)
+        if (row[i] != data_.cells[0][i])
+          return false;
+  return true;
 }
 
 columns family::columns_of(std::size_t measurement, const std::vector<double>& parameters) const {
-  columns all = scene_;
+  columns all = given_.scene;
   for (std::size_t i = 0; i < data_.columns.size(); ++i)
-    if (data_.columns[i] != measured && data_.columns[i] != error)
+    if (!is_measured(data_.columns[i]))
       all[data_.columns[i]] = data_.cells[measurement][i];
-  for (std::size_t k = 0; k < free_.size(); ++k)
-    all[free_[k].name] = text_of(parameters[k]);
+  for (std::size_t k = 0; k < given_.free.size(); ++k)
+    all[given_.free[k].name] = text_of(parameters[k]);
   for (const auto& [column, value] : tied(parameters))
     all[column] = text_of(value);
   return all;
@@ -57,9 +79,9 @@ columns family::columns_of(std::size_t measurement, const std::vector<double>& p
 
 std::vector<std::pair<std::string, double>> family::tied(const std::vector<double>& parameters) const {
   std::vector<std::pair<std::string, double>> values;
-  for (const tie& each : ties_)
-    for (std::size_t k = 0; k < free_.size(); ++k)
-      if (free_[k].name == each.of)
+  for (const tie& each : given_.ties)
+    for (std::size_t k = 0; k < given_.free.size(); ++k)
+      if (given_.free[k].name == each.of)
         values.emplace_back(each.column, each.factor * parameters[k]);
   return values;
 }
@@ -73,8 +95,11 @@ collisions::scene family::scene_of(const columns& all, std::size_t measurement) 
   try {
     const collisions::header header(names);
     return reader_.read(collisions::row(header, cells));
+  } catch (const collisions::missing_column& missing) {
+    throw ricochet::bad_input(fmt::format("{}: {}; give it with --set or --scene, or in {}", missing.place,
+                                          missing.what(), given_.data));
   } catch (const collisions::row_error& refused) {
-    throw ricochet::bad_input(fmt::format("the collision of {}, line {}{}{}: {}", data_name_, data_.lines[measurement],
+    throw ricochet::bad_input(fmt::format("the collision of {}, line {}{}{}: {}", given_.data, data_.lines[measurement],
                                           refused.place.empty() ? "" : ", ", refused.place, refused.what()));
   }
 }
@@ -83,7 +108,20 @@ std::vector<double> family::restitutions(const std::vector<double>& parameters, 
   std::vector<collisions::scene> scenes;
   for (std::size_t i = 0; i < data_.data.size(); ++i)
     scenes.push_back(scene_of(columns_of(i, parameters), i));
-  return fit_restitution::restitutions(scenes, tolerance, threads_);
+  return fit_restitution::restitutions(scenes, tolerance, given_.options.threads);
+}
+
+std::string family::out_of_range(const std::vector<double>& parameters) const {
+  std::string first;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < data_.data.size(); ++i) {
+    const auto warnings = collisions::solve_automatic(scene_of(columns_of(i, parameters), i), 1e-3).warnings;
+    if (!warnings.empty() && count++ == 0)
+      first = fmt::format("that of line {}: {}", data_.lines[i], fmt::join(warnings, "; "));
+  }
+  return count == 0 ? ""
+                    : fmt::format("{} of the {} collisions take laws outside their range, first {}", count,
+                                  data_.data.size(), first);
 }
 
 std::vector<double> family::restitutions(const std::vector<double>& parameters, double tolerance,
@@ -94,7 +132,7 @@ std::vector<double> family::restitutions(const std::vector<double>& parameters, 
     all[speed] = text_of(v);
     scenes.push_back(scene_of(all, 0));
   }
-  return fit_restitution::restitutions(scenes, tolerance, threads_);
+  return fit_restitution::restitutions(scenes, tolerance, given_.options.threads);
 }
 
 } // namespace fit_restitution

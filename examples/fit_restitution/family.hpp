@@ -1,30 +1,19 @@
 // The collisions that were measured, as a function of the parameters sought.
 #pragma once
+#include "arguments.hpp"
 #include "scene_reader.hpp"
 
-#include <ricochet/study/measured_curve.hpp>
-
-#include <map>
-
 namespace fit_restitution {
-
-/// One column is a multiple of another.
-struct tie {
-  std::string column;
-  double factor;
-  std::string of;
-};
-
-/// Columns and their cells, as `collisions` takes them.
-using columns = std::map<std::string, std::string>;
 
 /// Of each measurement a scene: columns of the data file, then those of the scene, then the free ones and those tied to
 /// them.
 class family {
 public:
-  /// \throws ricochet::bad_input if a column is free, tied or given twice, or is none that `collisions` knows
-  family(const ricochet::measured_curve& data, std::string data_name, columns scene,
-         const std::vector<ricochet::free_parameter>& free, std::vector<tie> ties, unsigned threads);
+  /// \throws ricochet::bad_input if a column is free, tied or given twice, or is none that `collisions` knows; naming the
+  /// measurement whose scene cannot be read with the parameters in the middle of their ranges
+  family(ricochet::measured_curve data, const arguments& given);
+
+  const ricochet::measured_curve& measured() const { return data_; }
 
   /// Of the measured collisions; NaN where one is not resolved. \throws ricochet::bad_input naming the measurement whose
   /// scene cannot be read
@@ -34,6 +23,15 @@ public:
   std::vector<double> restitutions(const std::vector<double>& parameters, double tolerance,
                                    const std::vector<double>& speeds) const;
 
+  /// Do all columns but those of speed and restitution say the same of all measurements?
+  bool alike() const;
+
+  /// Columns of the data that mean nothing here.
+  std::vector<std::string> unused_columns() const;
+
+  /// A sentence where collisions with these parameters take a law outside its range; else empty.
+  std::string out_of_range(const std::vector<double>& parameters) const;
+
   /// What the columns tied to free ones come to.
   std::vector<std::pair<std::string, double>> tied(const std::vector<double>& parameters) const;
 
@@ -41,12 +39,8 @@ private:
   columns columns_of(std::size_t measurement, const std::vector<double>& parameters) const;
   collisions::scene scene_of(const columns& all, std::size_t measurement) const;
 
-  const ricochet::measured_curve& data_;
-  std::string data_name_;
-  columns scene_;
-  const std::vector<ricochet::free_parameter>& free_;
-  std::vector<tie> ties_;
-  unsigned threads_;
+  ricochet::measured_curve data_;
+  const arguments& given_;
   mutable collisions::scene_reader reader_;
 };
 

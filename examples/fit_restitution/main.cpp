@@ -19,15 +19,24 @@ int main(int argc, char** argv) {
     if (watched)
       fmt::print(stderr, "\rstep {} of {}{}", done, of, done == of ? "\r                    \r" : "");
   };
+  std::optional<family> collisions;
   try {
-    const auto data = ricochet::read_measurements(std::filesystem::path(given->data));
-    const family family(data, given->data, given->scene, given->free, given->ties, given->options.threads);
-    const auto found = ricochet::fit_curve(
-        {[&](const std::vector<double>& p, double tolerance) { return family.restitutions(p, tolerance); }}, data.data,
-        given->free, given->options);
-    print(*given, data, found);
+    collisions.emplace(ricochet::read_measurements(std::filesystem::path(given->data)), *given);
+  } catch (const std::exception& refused) {
+    say(refused.what());
+    return 2;
+  }
+  if (const auto unused = collisions->unused_columns(); !unused.empty())
+    say(fmt::format("note: not used of {}: {}; --help says which columns are", given->data, fmt::join(unused, ", ")));
+  try {
+    auto found = ricochet::fit_curve(
+        {[&](const std::vector<double>& p, double tolerance) { return collisions->restitutions(p, tolerance); }},
+        collisions->measured().data, given->free, given->options);
+    if (const std::string sentence = collisions->out_of_range(values_of(found)); !sentence.empty())
+      found.warnings.push_back(sentence);
+    print(*given, collisions->measured(), found);
     if (!given->output.empty())
-      for (const std::string& file : write(*given, data, family, found))
+      for (const std::string& file : write(*given, *collisions, found))
         fmt::print("written: {}\n", file);
   } catch (const ricochet::bad_input& refused) {
     say(refused.what());

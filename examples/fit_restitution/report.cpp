@@ -19,13 +19,6 @@ std::string with_unit(const std::string& number, const std::string& column) {
   return unit == "1" ? number : number + ' ' + unit;
 }
 
-std::vector<double> values_of(const ricochet::fit_result& found) {
-  std::vector<double> values;
-  for (const auto& parameter : found.parameters)
-    values.push_back(parameter.value);
-  return values;
-}
-
 std::size_t captured_in(const ricochet::measured_curve& data) {
   return std::size_t(
       std::count_if(data.data.begin(), data.data.end(), [](const auto& each) { return !each.restitution; }));
@@ -36,9 +29,14 @@ std::string model_of(const arguments& given) {
   return model == given.scene.end() ? "models as in " + given.data : model->second;
 }
 
-nlohmann::json as_json(const arguments& given, const ricochet::measured_curve& data, const family& family,
-                       const ricochet::fit_result& found) {
+/// Whose the fitted curve is, where measurements differ by more than their speed.
+std::string of_which(const family& family) {
+  return family.alike() ? "" : fmt::format(", all but the speed as in line {}", family.measured().lines[0]);
+}
+
+nlohmann::json as_json(const arguments& given, const family& family, const ricochet::fit_result& found) {
   using nlohmann::json;
+  const ricochet::measured_curve& data = family.measured();
   json all;
   all["program"] = std::string("fit_restitution of ricochet ") + ricochet::version;
   all["command"] = given.command;
@@ -92,21 +90,26 @@ std::string in_quotes(const std::string& text) {
   return out + "'";
 }
 
-/// 1, 2 and 5 times powers of ten about the speeds.
+/// Round numbers about the speeds.
 std::string tics(const ricochet::measured_curve& data) {
   const auto slower = [](const auto& a, const auto& b) { return a.speed < b.speed; };
   const auto [low, high] = std::minmax_element(data.data.begin(), data.data.end(), slower);
+  const double first = std::log10(ricochet::in_si(low->speed)), last = std::log10(ricochet::in_si(high->speed));
+  const std::vector<double> steps = last - first < 0.7 ? std::vector<double>{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8}
+                                                       : std::vector<double>{1, 2, 5};
   std::string all;
-  for (int decade = int(std::floor(std::log10(ricochet::in_si(low->speed)))) - 1; decade <= std::log10(ricochet::in_si(high->speed)) + 1;
-       ++decade)
-    for (const int step : {1, 2, 5})
+  for (int decade = int(std::floor(first)) - 1; decade <= last + 1; ++decade)
+    for (const double step : steps)
       all += fmt::format("{}{}e{}", all.empty() ? "" : ", ", step, decade);
   return all;
 }
 
-std::string figure_script(const arguments& given, const ricochet::measured_curve& data) {
+std::string figure_script(const arguments& given, const family& family) {
+  const ricochet::measured_curve& data = family.measured();
   const std::string prefix = given.output.string();
   const bool errors = data.data[0].error > 0, captured = captured_in(data) > 0;
+  const bool far_from_zero = std::all_of(data.data.begin(), data.data.end(),
+                                         [](const auto& each) { return each.restitution.value_or(0) > 0.5; });
   const std::string bars = errors ? "with yerrorbars" : "with points";
   const auto columns = [&](const char* value) {
     return fmt::format("using 'speed':'{}'{}", value, errors ? ":'error'" : "");
@@ -135,14 +138,14 @@ do for [format in 'svg png'] {{
   set rmargin at screen 0.97
   set tmargin at screen 0.93
   set bmargin at screen 0.38
-  set yrange [0:*]
+  set yrange [{}:*]
   set ylabel 'coefficient of restitution'
   set key box lc rgb '#bbbbbb' opaque bottom right
   set title {} noenhanced
   stats curve using 'speed' nooutput
   set xrange [STATS_min:STATS_max]
-  plot curve using 'speed':'restitution' with lines lw 2.5 lc rgb blue title 'fitted', \
-       points {} {} pt 7 ps 0.6 lc rgb red title 'measured'{}
+  plot curve using 'speed':'restitution' with lines lw 2.5 lc rgb blue title {}, \
+       points {} {} pt 7 ps 0.8 lc rgb red title 'measured'{}
   set format x '%g'
   set ytics autofreq
   set tmargin at screen 0.35
@@ -152,13 +155,14 @@ do for [format in 'svg png'] {{
   set yrange [*:*]
   set xlabel 'speed (m/s)'
   set ylabel 'measured - fitted'
-  plot 0 with lines lw 1.5 lc rgb blue, points {} {} pt 7 ps 0.6 lc rgb red
+  plot 0 with lines lw 1.5 lc rgb blue, points {} {} pt 7 ps 0.8 lc rgb red
   unset multiplot
 }}
 )",
                                    given.command, in_quotes(prefix + "_points.csv"), in_quotes(prefix + "_curve.csv"),
-                                   in_quotes(prefix + ".svg"), in_quotes(prefix + ".png"), tics(data), in_quotes(model_of(given)),
-                                   columns("measured"), bars,
+                                   in_quotes(prefix + ".svg"), in_quotes(prefix + ".png"), tics(data),
+                                   far_from_zero ? "*" : "0", in_quotes(model_of(given)),
+                                   in_quotes("fitted" + of_which(family)), columns("measured"), bars,
                                    captured ? ", \\\n       points using 'speed':'captured' with points pt 6 ps 1 lc rgb "
                                               "red title 'measured: captured'"
                                             : "",
@@ -178,6 +182,13 @@ bool draw(const std::string& script) {
 
 } // namespace
 
+std::vector<double> values_of(const ricochet::fit_result& found) {
+  std::vector<double> values;
+  for (const auto& parameter : found.parameters)
+    values.push_back(parameter.value);
+  return values;
+}
+
 void print(const arguments& given, const ricochet::measured_curve& data, const ricochet::fit_result& found) {
   fmt::print("{}: {} measurements, {} of them captured; {}\n", given.data, data.data.size(), captured_in(data),
              model_of(given));
@@ -194,20 +205,23 @@ void print(const arguments& given, const ricochet::measured_curve& data, const r
     fmt::print("scatter of one restitution: {:.3g}, from {} degrees of freedom\n", found.scatter,
                found.degrees_of_freedom);
   for (std::size_t k = 0; k < found.parameters.size(); ++k)
-    for (std::size_t l = 0; l < k; ++l)
-      fmt::print("correlation of {} and {}: {:.3f}\n", found.parameters[l].name, found.parameters[k].name,
-                 found.correlation(Eigen::Index(k), Eigen::Index(l)));
+    for (std::size_t l = 0; l < k; ++l) {
+      const double c = found.correlation(Eigen::Index(k), Eigen::Index(l));
+      fmt::print("correlation of {} and {}: {}\n", found.parameters[l].name, found.parameters[k].name,
+                 std::isnan(c) ? "undetermined" : fmt::format("{:.4f}", c));
+    }
+  fmt::print("{} collisions computed\n", found.collisions);
   for (const std::string& warning : found.warnings)
     fmt::print("note: {}\n", warning);
 }
 
-std::vector<std::string> write(const arguments& given, const ricochet::measured_curve& data, const family& family,
-                               const ricochet::fit_result& found) {
+std::vector<std::string> write(const arguments& given, const family& family, const ricochet::fit_result& found) {
+  const ricochet::measured_curve& data = family.measured();
   const std::string prefix = given.output.string();
   if (given.output.has_parent_path())
     std::filesystem::create_directories(given.output.parent_path());
   std::vector<std::string> written{prefix + ".json", prefix + "_points.csv", prefix + "_curve.csv", prefix + ".gp"};
-  write_text(written[0], as_json(given, data, family, found).dump(2) + "\n");
+  write_text(written[0], as_json(given, family, found).dump(2) + "\n");
 
   const double none = std::numeric_limits<double>::quiet_NaN();
   double slowest = std::numeric_limits<double>::infinity(), fastest = 0;
@@ -234,13 +248,13 @@ std::vector<std::string> write(const arguments& given, const ricochet::measured_
        ricochet::logarithmic_speeds(slowest / 1.3 * metres_per_second, fastest * 1.3 * metres_per_second, 241))
     speeds.push_back(ricochet::in_si(v));
   const std::vector<double> e = family.restitutions(values_of(found), 1e-6, speeds);
-  ricochet::table curve(written[2], given.command, "fitted restitution of " + model_of(given) + "; 0: captured",
+  ricochet::table curve(written[2], given.command, "fitted restitution of " + model_of(given) + of_which(family) + "; 0: captured",
                         {{"speed", "m/s"}, {"restitution", "1"}});
   for (std::size_t i = 0; i < speeds.size(); ++i)
     curve.row({speeds[i], e[i]});
   curve.finish();
 
-  write_text(written[3], figure_script(given, data));
+  write_text(written[3], figure_script(given, family));
   if (draw(written[3])) {
     written.push_back(prefix + ".svg");
     written.push_back(prefix + ".png");

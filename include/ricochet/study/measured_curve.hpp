@@ -1,7 +1,8 @@
 // Measured restitution curves from files.
 #pragma once
-#include <ricochet/study/least_squares.hpp>
+#include <ricochet/study/least_squares_search.hpp>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/tokenizer.hpp>
 
 #include <charconv>
@@ -80,7 +81,8 @@ private:
         fail("there are two columns " + curve_.columns[i]);
     for (const char* needed : {"speed", "restitution"})
       if (!place_.contains(needed))
-        fail(std::string("there is no column ") + needed + " in its header, \"" + line + "\"");
+        fail(std::string("there is no column ") + needed + " in its header, \"" + line + "\"" +
+             (curve_.columns.size() == 1 ? "; columns are separated by commas" : ""));
   }
 
   void read_row(const std::string& line) {
@@ -90,7 +92,7 @@ private:
     const auto text = [&](const char* column) { return cells[place_.at(column)]; };
     measurement m;
     m.speed = number("speed", text("speed"), positive) * units::metres_per_second;
-    if (text("restitution") != "captured")
+    if (!boost::iequals(text("restitution"), "captured"))
       m.restitution = number("restitution", text("restitution"), range{.high = 1.5});
     if (place_.contains("error"))
       m.error = number("error", text("error"), positive);
