@@ -15,11 +15,12 @@ using progress_callback = std::function<void(std::size_t done, std::size_t of)>;
 
 namespace detail {
 
-/// work(first, last) for parts of the numbers below `count`, on so many threads, 0: as many as the machine has.
+/// work(first, last) for parts of the numbers below `count`, on so many threads, 0: as many as the machine has. Throws
+/// what the first of the parts threw that threw something.
 template <class Work>
 void share(std::size_t count, std::size_t part, unsigned threads, const progress_callback& progress, const Work& work) {
   std::atomic<std::size_t> next = 0;
-  std::size_t done = 0;
+  std::size_t done = 0, failed = count;
   std::exception_ptr failure;
   std::mutex telling;
   const auto run = [&] {
@@ -33,8 +34,11 @@ void share(std::size_t count, std::size_t part, unsigned threads, const progress
         }
       } catch (...) {
         const std::lock_guard lock(telling);
-        failure = std::current_exception();
         next = count;
+        if (first < failed) {
+          failed = first;
+          failure = std::current_exception();
+        }
       }
     }
   };

@@ -20,42 +20,11 @@ std::string described(const Model& model, std::string about) {
   return about;
 }
 
-/// Is the edge so fast that a collision alone, by an implicit method, takes less time than in lanes? Where lanes of two
-/// and of eight numbers take as long.
-template <class Model>
-bool faster_alone(const Model& model, speed v) {
-  if constexpr (runs_in_lanes<Model>() && Model::has_crack_law) {
-    if (in_si(model.crack.relaxation_time) == 0)
-      return true;
-    const reduced_model<double, Model> numbers(model, scales_at(model, v));
-    return fast_edge(numbers).excess() < 0.005;
-  } else {
-    return false;
-  }
-}
-
-/// Outcomes of scenes to a tolerance; in a batch, but for those that do not go well in lanes.
+/// Outcomes of scenes to a tolerance.
 /// \throws bad_input if one cannot be resolved
 template <class Model>
 std::vector<outcome_of<Model>> resolved(const std::vector<scene<Model>>& scenes, double tolerance, unsigned threads) {
-  std::vector<std::size_t> alone, together;
-  std::vector<scene<Model>> batch;
-  for (std::size_t i = 0; i < scenes.size(); ++i)
-    if (faster_alone(scenes[i].model, scenes[i].impact.speed)) {
-      alone.push_back(i);
-    } else {
-      together.push_back(i);
-      batch.push_back(scenes[i]);
-    }
-  tolerance = std::max(tolerance, tolerance_range.low);
-  std::vector<outcome_of<Model>> outcomes(scenes.size());
-  share(alone.size(), 4, threads, {}, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      outcomes[alone[i]] = ricochet::collide(scenes[alone[i]].model, scenes[alone[i]].impact, {.tolerance = tolerance});
-  });
-  auto of_batch = ricochet::collide(batch, {.tolerance = tolerance, .threads = threads});
-  for (std::size_t i = 0; i < together.size(); ++i)
-    outcomes[together[i]] = std::move(of_batch[i]);
+  auto outcomes = ricochet::collide(scenes, {.tolerance = std::max(tolerance, tolerance_range.low), .threads = threads});
   for (std::size_t i = 0; i < scenes.size(); ++i)
     if (outcomes[i].ending != ending::separated && outcomes[i].ending != ending::captured)
       throw bad_input("map: the collision at " + shown(in_si(scenes[i].impact.speed)) + " m/s ended " +

@@ -23,27 +23,30 @@ struct sampled {
   double value, low, high;
 };
 
-/// Collisions of a population: their restitutions, zero for pairs that stick, and those that could not be resolved,
-/// which are in nothing else.
+/// How many collisions of a sample ended how.
+struct population_counts {
+  std::size_t separated = 0, captured = 0;
+  std::size_t uncertain = 0;              ///< of both: so near the threshold that they may stick or not
+  std::size_t unresolved = 0, failed = 0; ///< \see ending
+};
+
+/// Collisions of a population: their restitutions, zero for pairs that stick, and how many could not be resolved, or
+/// failed, which are in nothing else.
 class population_sample {
 public:
-  population_sample(std::vector<double> restitutions, std::size_t captured, std::size_t unresolved,
-                    std::size_t uncertain)
-      : restitutions_(std::move(restitutions)), captured_(captured), unresolved_(unresolved), uncertain_(uncertain) {
+  population_sample(std::vector<double> restitutions, const population_counts& counts)
+      : restitutions_(std::move(restitutions)), counts_(counts) {
     std::sort(restitutions_.begin(), restitutions_.end());
   }
 
-  std::size_t resolved() const { return restitutions_.size(); }
-  std::size_t captured() const { return captured_; }
-  std::size_t unresolved() const { return unresolved_; }
-  std::size_t uncertain() const { return uncertain_; } ///< so near the threshold that they may stick or not
+  const population_counts& counts() const { return counts_; }
   const std::vector<double>& restitutions() const { return restitutions_; } ///< in ascending order
 
   /// Share of the pairs that stick, with Clopper & Pearson's interval. confidence: 0 to below 1
   sampled captured_fraction(double confidence = 0.95) const {
     require("confidence", confidence, range{.high = 1});
     using distribution = boost::math::binomial_distribution<>;
-    const double n = double(size()), k = double(captured_), outside = (1 - confidence) / 2;
+    const double n = double(size()), k = double(counts_.captured), outside = (1 - confidence) / 2;
     return {k / n, distribution::find_lower_bound_on_p(n, k, outside),
             distribution::find_upper_bound_on_p(n, k, outside)};
   }
@@ -75,6 +78,16 @@ public:
            double(size());
   }
 
+  /// Shares of all pairs that rebound with a restitution in each of so many equal parts of [0, 1].
+  std::vector<double> histogram(std::size_t parts) const {
+    require("parts", double(parts), range{.low = 1});
+    std::vector<double> shares(parts);
+    const double each = 1 / double(size());
+    for (const double e : std::span(restitutions_).subspan(counts_.captured))
+      shares[std::min(parts - 1, std::size_t(e * double(parts)))] += each;
+    return shares;
+  }
+
   /// Mean restitution, and mean of its square, the share of kinetic energy that is left, each with its standard error
   /// below and above (not an interval of a chosen confidence); pairs that stick count as zero.
   sampled mean() const {
@@ -85,9 +98,9 @@ public:
   }
   /// Mean restitution of the pairs that do not stick. \throws bad_input if all do
   sampled mean_of_rebounding() const {
-    if (size() == captured_)
+    if (size() == counts_.captured)
       throw bad_input("population: no collision of the sample rebounds");
-    return mean_of(captured_, [](double e) { return e; });
+    return mean_of(counts_.captured, [](double e) { return e; });
   }
 
   /// The distribution as a table: restitution, and share of the pairs up to it, in steps of `steps` equal shares.
@@ -123,7 +136,7 @@ private:
   }
 
   std::vector<double> restitutions_;
-  std::size_t captured_, unresolved_, uncertain_;
+  population_counts counts_;
 };
 
 /// `count` collisions drawn at random, in batches. draw(random) makes a scene from an std::mt19937_64; its model has no
@@ -138,7 +151,7 @@ population_sample sample_population(const Draw& draw, std::size_t count, const p
   const collide_options alone{.tolerance = options.tolerance, .max_evaluations = options.max_evaluations};
   std::vector<double> restitutions;
   restitutions.reserve(count);
-  std::size_t captured = 0, unresolved = 0, uncertain = 0;
+  population_counts counts;
   for (std::size_t first = 0; first < count; first += chunk) {
     const std::size_t here = std::min(chunk, count - first);
     std::vector<std::vector<scene_type>> drawn((here + stream - 1) / stream);
@@ -166,16 +179,17 @@ population_sample sample_population(const Draw& draw, std::size_t count, const p
     if (options.progress)
       how.progress = [&](std::size_t done, std::size_t) { options.progress(first + done, count); };
     for (const auto& out : collide(scenes, how)) {
-      if (out.ending != ending::separated && out.ending != ending::captured) {
-        ++unresolved;
-        continue;
-      }
-      captured += out.ending == ending::captured;
-      uncertain += !out.ending_is_certain;
-      restitutions.push_back(out.restitution.value_or(0));
+      const bool separated = out.ending == ending::separated, captured = out.ending == ending::captured;
+      counts.separated += separated;
+      counts.captured += captured;
+      counts.uncertain += (separated || captured) && !out.ending_is_certain;
+      counts.unresolved += out.ending == ending::unresolved;
+      counts.failed += out.ending == ending::failed;
+      if (separated || captured)
+        restitutions.push_back(out.restitution.value_or(0));
     }
   }
-  return {std::move(restitutions), captured, unresolved, uncertain};
+  return {std::move(restitutions), counts};
 }
 
 } // namespace ricochet
