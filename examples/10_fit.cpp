@@ -47,7 +47,9 @@ int main() {
     auto e = collide(family(truth), impact{.speed = v}).restitution;
     if (e)
       *e = std::max(0., *e + noise(source));
+    // [data]
     data.push_back({.speed = v, .restitution = e, .error = 0.01});
+    // [data]
   }
 
   // [fit]
