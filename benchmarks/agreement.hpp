@@ -4,8 +4,8 @@
 #include "contenders.hpp"
 
 #include <ricochet/number/multiprecision.hpp>
-#include <ricochet/solve/radau.hpp>
-#include <ricochet/solve/steppers.hpp>
+#include <ricochet/solve/stepper/radau.hpp>
+#include <ricochet/solve/stepper/steppers.hpp>
 
 #include <cstdio>
 #include <sstream>

@@ -11,7 +11,7 @@
 #include "peer_sundials.hpp"
 #endif
 
-#include <ricochet/solve/steppers.hpp>
+#include <ricochet/solve/stepper/steppers.hpp>
 
 #include <memory>
 #include <span>

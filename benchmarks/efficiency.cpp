@@ -3,7 +3,7 @@
 #include "counted.hpp"
 #include "instances.hpp"
 
-#include <ricochet/solve/tsitouras_papakostas.hpp>
+#include <ricochet/solve/stepper/tsitouras_papakostas.hpp>
 
 #include <cstdio>
 #include <span>

@@ -5,7 +5,7 @@
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/crack/greenwood.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
-#include <ricochet/solve/fast_edge.hpp>
+#include <ricochet/solve/edge/fast_edge.hpp>
 
 #include <chrono>
 #include <cmath>

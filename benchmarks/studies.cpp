@@ -5,9 +5,9 @@
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
-#include <ricochet/study/chi_square_grid.hpp>
-#include <ricochet/study/jkr_map.hpp>
-#include <ricochet/study/restitution_map.hpp>
+#include <ricochet/study/fit/chi_square_grid.hpp>
+#include <ricochet/study/map/jkr_map.hpp>
+#include <ricochet/study/map/restitution_map.hpp>
 #include <ricochet/study/sweep.hpp>
 
 #include <benchmark/benchmark.h>

@@ -2,8 +2,8 @@
 #pragma once
 #include "contenders.hpp"
 
-#include <ricochet/solve/radau.hpp>
-#include <ricochet/solve/steppers.hpp>
+#include <ricochet/solve/stepper/radau.hpp>
+#include <ricochet/solve/stepper/steppers.hpp>
 
 #include <cstdio>
 

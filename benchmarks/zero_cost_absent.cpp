@@ -3,7 +3,7 @@
 
 #include "by_hand.hpp"
 
-#include <ricochet/solve/tsitouras_papakostas.hpp>
+#include <ricochet/solve/stepper/tsitouras_papakostas.hpp>
 
 #include <cstdio>
 

@@ -13,7 +13,7 @@
 #include <ricochet/law/adhesion/jkr.hpp>
 #include <ricochet/law/adhesion/maugis_dugdale.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
-#include <ricochet/study/threshold.hpp>
+#include <ricochet/study/threshold/threshold.hpp>
 
 #include <cmath>
 #include <cstdio>

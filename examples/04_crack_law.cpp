@@ -13,7 +13,7 @@
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/model/regime.hpp>
-#include <ricochet/study/threshold.hpp>
+#include <ricochet/study/threshold/threshold.hpp>
 
 #include <cmath>
 #include <cstdio>

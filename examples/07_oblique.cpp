@@ -14,7 +14,7 @@
 #include <ricochet/law/tangential/coulomb.hpp>
 #include <ricochet/law/tangential/coulomb_with_peeling.hpp>
 #include <ricochet/law/tangential/mindlin.hpp>
-#include <ricochet/solve/oblique.hpp>
+#include <ricochet/solve/oblique/oblique.hpp>
 
 #include <ricochet/body/materials.hpp>
 #include <ricochet/model/compose.hpp>

@@ -11,7 +11,7 @@
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
-#include <ricochet/study/fit.hpp>
+#include <ricochet/study/fit/fit.hpp>
 #include <ricochet/study/sweep.hpp>
 
 #include <cstdio>

@@ -12,7 +12,7 @@
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/law/end.hpp>
-#include <ricochet/study/restitution_map.hpp>
+#include <ricochet/study/map/restitution_map.hpp>
 
 #include <algorithm>
 #include <array>

@@ -16,7 +16,7 @@
 #include <ricochet/study/experiment.hpp>
 #include <ricochet/study/sweep.hpp>
 #include <ricochet/study/table.hpp>
-#include <ricochet/study/threshold.hpp>
+#include <ricochet/study/threshold/threshold.hpp>
 
 #include <cstdio>
 

@@ -7,8 +7,8 @@
 //
 // Try next: load the map in another program, and give it a pair of your own.
 #include <ricochet/collide.hpp>
-#include <ricochet/study/jkr_map.hpp>
-#include <ricochet/study/restitution_map.hpp>
+#include <ricochet/study/map/jkr_map.hpp>
+#include <ricochet/study/map/restitution_map.hpp>
 
 #include <cstdio>
 

@@ -6,7 +6,7 @@
 #include <ricochet/ricochet.hpp>
 #include <ricochet/study/sweep.hpp>
 #include <ricochet/study/table.hpp>
-#include <ricochet/study/threshold.hpp>
+#include <ricochet/study/threshold/threshold.hpp>
 
 #include <chrono>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "solve.hpp"
 
 #include <ricochet/model/compose.hpp>
-#include <ricochet/solve/oblique.hpp>
+#include <ricochet/solve/oblique/oblique.hpp>
 
 #include <stdexcept>
 #include <tuple>

@@ -2,7 +2,7 @@
 // and whether plastic and adhesive losses may be added (30).
 #include "figures.hpp"
 
-#include <ricochet/study/threshold_map.hpp>
+#include <ricochet/study/threshold/threshold_map.hpp>
 
 #include <array>
 #include <cstdio>

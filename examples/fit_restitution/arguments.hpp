@@ -1,6 +1,6 @@
 // The command line.
 #pragma once
-#include <ricochet/study/measured_curve.hpp>
+#include <ricochet/study/fit/measured_curve.hpp>
 
 #include <filesystem>
 #include <map>
@@ -19,8 +19,8 @@ struct tie {
 using columns = std::map<std::string, std::string>;
 
 struct arguments {
-  std::string data;  ///< file of measurements
-  columns scene;     ///< all other columns that are given
+  std::string data; ///< file of measurements
+  columns scene;    ///< all other columns that are given
   std::vector<ricochet::free_parameter> free;
   std::vector<tie> ties;
   std::filesystem::path output; ///< beginning of the names of all files written

@@ -2,7 +2,7 @@
 #pragma once
 #include "family.hpp"
 
-#include <ricochet/study/least_squares.hpp>
+#include <ricochet/study/fit/least_squares.hpp>
 
 namespace fit_restitution {
 

@@ -45,11 +45,11 @@
 #include <ricochet/model/physical_system.hpp>
 #include <ricochet/model/regime.hpp>
 
-#include <ricochet/solve/oblique.hpp>
-#include <ricochet/solve/steppers.hpp>
+#include <ricochet/solve/oblique/oblique.hpp>
+#include <ricochet/solve/stepper/steppers.hpp>
 
-#include <ricochet/study/brach_dunn_fit.hpp>
+#include <ricochet/study/fit/brach_dunn_fit.hpp>
 #include <ricochet/study/sweep.hpp>
 #include <ricochet/study/table.hpp>
-#include <ricochet/study/threshold.hpp>
+#include <ricochet/study/threshold/threshold.hpp>
 #include <ricochet/study/trajectory_table.hpp>

@@ -21,8 +21,8 @@
 #include <ricochet/law/tangential/coulomb.hpp>
 #include <ricochet/law/tangential/coulomb_with_peeling.hpp>
 #include <ricochet/law/tangential/mindlin.hpp>
-#include <ricochet/solve/oblique.hpp>
-#include <ricochet/solve/steppers.hpp>
+#include <ricochet/solve/oblique/oblique.hpp>
+#include <ricochet/solve/stepper/steppers.hpp>
 
 #include "support/greenwood_tables.hpp"
 

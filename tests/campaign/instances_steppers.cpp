@@ -1,6 +1,6 @@
 #include "examine.hpp"
 
-#include <ricochet/solve/radau.hpp>
+#include <ricochet/solve/stepper/radau.hpp>
 
 namespace campaign {
 

@@ -2,6 +2,6 @@
 
 #include "scene.hpp"
 
-#include <ricochet/solve/oblique.hpp>
+#include <ricochet/solve/oblique/oblique.hpp>
 
 int main() { collide(compose(pair, hertz{}), oblique_impact{1.0 * metres_per_second}); }

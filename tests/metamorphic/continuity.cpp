@@ -12,7 +12,7 @@
 #include <ricochet/law/elastic/linear.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
-#include <ricochet/solve/oblique.hpp>
+#include <ricochet/solve/oblique/oblique.hpp>
 
 using namespace metamorphic;
 

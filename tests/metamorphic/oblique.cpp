@@ -8,7 +8,7 @@
 #include <ricochet/law/tangential/coulomb.hpp>
 #include <ricochet/law/tangential/coulomb_with_peeling.hpp>
 #include <ricochet/law/tangential/mindlin.hpp>
-#include <ricochet/solve/oblique.hpp>
+#include <ricochet/solve/oblique/oblique.hpp>
 
 using namespace metamorphic;
 using Eigen::Vector3d;

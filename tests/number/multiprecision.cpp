@@ -6,7 +6,7 @@
 
 #include <ricochet/model/compose.hpp>
 #include <ricochet/solve/collision.hpp>
-#include <ricochet/solve/steppers.hpp>
+#include <ricochet/solve/stepper/steppers.hpp>
 
 using namespace support;
 using fine = multiprecise<50>;

@@ -2,7 +2,7 @@
 
 #include "support/reference_rows.hpp"
 
-#include <ricochet/solve/steppers.hpp>
+#include <ricochet/solve/stepper/steppers.hpp>
 
 using namespace support;
 

@@ -1,5 +1,5 @@
-// Rows of scenes ever nearer to what is hard: thresholds, limits of laws, the ends of double's range. Every outcome is to
-// be right to its estimate, or to say that it is not certain, in bounded work.
+// Rows of scenes ever nearer to what is hard: thresholds, limits of laws, the ends of double's range. Every outcome is
+// to be right to its estimate, or to say that it is not certain, in bounded work.
 #include <boost/test/unit_test.hpp>
 
 #include "support/reference_rows.hpp"
@@ -9,8 +9,8 @@
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
-#include <ricochet/solve/oblique.hpp>
-#include <ricochet/study/threshold.hpp>
+#include <ricochet/solve/oblique/oblique.hpp>
+#include <ricochet/study/threshold/threshold.hpp>
 
 using namespace support;
 
@@ -35,8 +35,7 @@ auto examined(const auto& model, double v, long most_evaluations = 200'000, doub
     const auto finer = integrate(model, motion, {.tolerance = tolerance / 100});
     if (out.ending_is_certain && ended(finer.ending) && finer.ending_is_certain) {
       BOOST_TEST(name_of(out.ending) == name_of(finer.ending));
-      BOOST_TEST(std::abs(e - finer.restitution.value_or(0)) <=
-                 out.error_estimate + finer.error_estimate + 1e-12);
+      BOOST_TEST(std::abs(e - finer.restitution.value_or(0)) <= out.error_estimate + finer.error_estimate + 1e-12);
     }
   }
   return out;
@@ -96,13 +95,14 @@ BOOST_AUTO_TEST_CASE(overdamped_contacts) {
   }
   const double critical = std::sqrt(5.); // of tsuji, from where nothing ends at zero overlap
   for (double distance = 1; distance > 1e-14; distance /= 10)
-    for (const int side : {-1, 1}) BOOST_TEST_CONTEXT("tsuji, from critical " << side * distance) {
-      const tsuji damped{critical * (1 + side * distance * 0.9)};
-      examined(compose(ice.pair, hertz{}, damped, energy_ledger{}), 5);
-      if (side > 0 || distance > 5e-3) // nearer, it takes the longer to leave the less is left of its speed
-        examined(compose(ice.pair, hertz{}, damped, end_at_zero_overlap{}, energy_ledger{}), 5, 1'000'000);
-      examined(compose(ice.pair, hertz{}, ice.adhesive, damped, energy_ledger{}), 5);
-    }
+    for (const int side : {-1, 1})
+      BOOST_TEST_CONTEXT("tsuji, from critical " << side * distance) {
+        const tsuji damped{critical * (1 + side * distance * 0.9)};
+        examined(compose(ice.pair, hertz{}, damped, energy_ledger{}), 5);
+        if (side > 0 || distance > 5e-3) // nearer, it takes the longer to leave the less is left of its speed
+          examined(compose(ice.pair, hertz{}, damped, end_at_zero_overlap{}, energy_ledger{}), 5, 1'000'000);
+        examined(compose(ice.pair, hertz{}, ice.adhesive, damped, energy_ledger{}), 5);
+      }
 }
 
 BOOST_AUTO_TEST_CASE(edges_at_the_limits_of_their_law) {
@@ -111,9 +111,9 @@ BOOST_AUTO_TEST_CASE(edges_at_the_limits_of_their_law) {
     for (double time = 1e-16; time < 2; time *= 100)
       for (const double v : {2., 12., 200.})
         BOOST_TEST_CONTEXT("k " << k << ", T_vis " << time << " s")
-          examined(compose(ice.pair, hertz{}, ice.adhesive, ice.exact(time * seconds, k),
-                           kuwabara_kono{2e-10 * seconds}, energy_ledger{}),
-                   v, 5'000'000, 1e-6);
+  examined(compose(ice.pair, hertz{}, ice.adhesive, ice.exact(time * seconds, k), kuwabara_kono{2e-10 * seconds},
+                   energy_ledger{}),
+           v, 5'000'000, 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(grazing_impacts) {
@@ -121,8 +121,8 @@ BOOST_AUTO_TEST_CASE(grazing_impacts) {
   const auto look = [](const auto& model) {
     for (const double degrees_left : {0.1, 1e-2, 1e-3, 1e-4, 1e-5}) {
       const double left = degrees_left * pi<double>() / 180, v = 10;
-      const auto out = collide(model, oblique_impact{v * metres_per_second, pi<double>() / 2 - left, {}, {}},
-                               {.tolerance = 1e-8});
+      const auto out =
+          collide(model, oblique_impact{v * metres_per_second, pi<double>() / 2 - left, {}, {}}, {.tolerance = 1e-8});
       BOOST_TEST_CONTEXT("89.9.. degrees less " << degrees_left) {
         BOOST_TEST_REQUIRE(ended(out.normal.ending));
         BOOST_TEST((std::isfinite(in_si(out.tangential_speed)) && std::isfinite(in_si(out.spin_1))));
@@ -145,12 +145,10 @@ BOOST_AUTO_TEST_CASE(denormal_and_extreme_numbers_are_solved_or_refused) {
     const auto with = [&](double modulus, double density, double radius, double w, double T, double A) {
       return [=] {
         const material solid{modulus * pascals, 0.25, density * kilograms_per_cubic_metre};
-        return compose(between(sphere{solid, radius * metres}, flat_wall{solid}), hertz{},
-                       jkr{w * joules_per_square_metre},
-                       greenwood{.relaxation_time = T * seconds,
-                                 .modulus_ratio = 0.02,
-                                 .interaction_range = 3e-10 * metres},
-                       kuwabara_kono{A * seconds}, energy_ledger{});
+        return compose(
+            between(sphere{solid, radius * metres}, flat_wall{solid}), hertz{}, jkr{w * joules_per_square_metre},
+            greenwood{.relaxation_time = T * seconds, .modulus_ratio = 0.02, .interaction_range = 3e-10 * metres},
+            kuwabara_kono{A * seconds}, energy_ledger{});
       };
     };
     BOOST_TEST_CONTEXT("number " << x) {

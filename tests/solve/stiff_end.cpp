@@ -2,7 +2,7 @@
 
 #include "support/reference_rows.hpp"
 
-#include <ricochet/solve/fast_edge.hpp>
+#include <ricochet/solve/edge/fast_edge.hpp>
 
 using namespace support;
 

@@ -4,7 +4,7 @@
 
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/study/experiment.hpp>
-#include <ricochet/study/fit.hpp>
+#include <ricochet/study/fit/fit.hpp>
 #include <ricochet/study/sweep.hpp>
 
 #include <Eigen/Eigenvalues>

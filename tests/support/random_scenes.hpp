@@ -10,7 +10,7 @@
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/law/plasticity/thornton_ning_contact.hpp>
-#include <ricochet/solve/steppers.hpp>
+#include <ricochet/solve/stepper/steppers.hpp>
 
 #include <random>
 

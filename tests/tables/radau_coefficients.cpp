@@ -1,5 +1,5 @@
-// Writes include/ricochet/solve/radau_coefficients.hpp to standard output: collocation at the right Radau points, from
-// its definition, in long double.
+// Writes include/ricochet/solve/stepper/radau_coefficients.hpp to standard output: collocation at the right Radau
+// points, from its definition, in long double.
 #include <cmath>
 #include <complex>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
+#include <ricochet/solve/edge/slow_edge.hpp>
 #include <ricochet/solve/ledger.hpp>
-#include <ricochet/solve/slow_edge.hpp>
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 #include <ricochet/closed_form/closed_outcome.hpp>
 #include <ricochet/model/regime.hpp>
 #include <ricochet/solve/accuracy.hpp>
-#include <ricochet/solve/automatic.hpp>
-#include <ricochet/solve/fast_edge.hpp>
+#include <ricochet/solve/edge/fast_edge.hpp>
+#include <ricochet/solve/stepper/automatic.hpp>
 #include <ricochet/solve/yielding.hpp>
 
 namespace ricochet {
@@ -172,7 +172,7 @@ void admit(const impact& impact, const collide_options& options) {
 } // namespace detail
 
 /// What comes of this impact: ending, restitution and what compose() was asked for, by integration with the given
-/// stepper (solve/stepper.hpp), stepper::automatic unless another is wanted.
+/// stepper (solve/stepper/stepper.hpp), stepper::automatic unless another is wanted.
 /// \throws bad_input if speed is not positive and finite or the tolerance is outside [1e-12, 1e-1].
 template <class Stepper, class Model>
 auto integrate(const Model& model, const impact& impact, const collide_options& options, Stepper) {

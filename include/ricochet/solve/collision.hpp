@@ -1,11 +1,11 @@
 #pragma once
 #include <ricochet/solve/capture.hpp>
-#include <ricochet/solve/edge.hpp>
+#include <ricochet/solve/edge/edge.hpp>
 #include <ricochet/solve/event.hpp>
 #include <ricochet/solve/ledger.hpp>
+#include <ricochet/solve/oblique/sliding.hpp>
+#include <ricochet/solve/oblique/stick_slip.hpp>
 #include <ricochet/solve/observers.hpp>
-#include <ricochet/solve/sliding.hpp>
-#include <ricochet/solve/stick_slip.hpp>
 
 namespace ricochet {
 

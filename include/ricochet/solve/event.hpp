@@ -1,6 +1,6 @@
 #pragma once
-#include <ricochet/solve/edge_limits.hpp>
-#include <ricochet/solve/stepper.hpp>
+#include <ricochet/solve/edge/edge_limits.hpp>
+#include <ricochet/solve/stepper/stepper.hpp>
 
 #include <optional>
 

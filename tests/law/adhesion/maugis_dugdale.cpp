@@ -9,7 +9,7 @@
 #include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
-#include <ricochet/study/threshold.hpp>
+#include <ricochet/study/threshold/threshold.hpp>
 
 using namespace ricochet;
 using namespace ricochet::units;

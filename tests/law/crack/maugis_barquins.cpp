@@ -5,7 +5,7 @@
 #include <ricochet/law/crack/maugis_barquins.hpp>
 #include <ricochet/law/damping/kuwabara_kono.hpp>
 #include <ricochet/law/elastic/hertz.hpp>
-#include <ricochet/solve/steppers.hpp>
+#include <ricochet/solve/stepper/steppers.hpp>
 
 #include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>

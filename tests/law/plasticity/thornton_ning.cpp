@@ -3,7 +3,7 @@
 #include "support/reference_rows.hpp"
 
 #include <ricochet/law/plasticity/thornton_ning.hpp>
-#include <ricochet/study/threshold.hpp>
+#include <ricochet/study/threshold/threshold.hpp>
 
 using namespace support;
 

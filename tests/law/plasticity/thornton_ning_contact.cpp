@@ -5,7 +5,7 @@
 #include <ricochet/closed_form/jkr.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/law/plasticity/thornton_ning_contact.hpp>
-#include <ricochet/study/threshold.hpp>
+#include <ricochet/study/threshold/threshold.hpp>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/toms748_solve.hpp>

@@ -21,7 +21,7 @@ concept peeling_law = sliding_law<L> &&
 };
 
 /// Tangential law of a contact that may stick at one place while it slips at another: a bed of springs, each of which
-/// sticks until it is stretched as far as friction holds it there (solve/stick_slip.hpp).
+/// sticks until it is stretched as far as friction holds it there (solve/oblique/stick_slip.hpp).
 /// Axiom: 0 <= largest_stretch, in proportion to the press, and 0 < stiffness.
 template <class L>
 concept stick_slip_law = any_law<L> && plays<L, role::tangential> &&

@@ -1,0 +1,230 @@
+// Krijt et al.'s way from measured restitutions to parameters: chi^2 on a grid of them [Krijt 2013, section 4.1].
+#pragma once
+#include <ricochet/study/fit/fit.hpp>
+
+namespace ricochet {
+
+/// One number that a family of models takes, and the values of it that are tried, in the family's own unit.
+struct grid_axis {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// n values from low to high in equal ratios. \throws bad_input unless 0 < low < high and n >= 2.
+inline grid_axis logarithmic_axis(std::string name, double low, double high, std::size_t n) {
+  require("low end of " + name, low, positive);
+  require("high end of " + name, high, range{.low = low, .low_included = false});
+  require("number of values of " + name, double(n), range{.low = 2});
+  grid_axis axis{std::move(name), std::vector<double>(n)};
+  for (std::size_t i = 0; i < n; ++i)
+    axis.values[i] = low * std::pow(high / low, double(i) / double(n - 1));
+  return axis;
+}
+
+/// The values of one axis with which chi^2 stays below twice its least value [Krijt 2013, section 4.1]: with all others
+/// as they are at the best point, and with the best others for each value.
+struct grid_range {
+  double best, low_alone, high_alone, low, high;
+};
+
+template <std::size_t N>
+struct chi_square_grid {
+  std::array<grid_axis, N> axes;
+  std::vector<double> chi_square; ///< mean square deviation [Krijt 2013 (31)]; the last axis runs fastest
+  std::array<std::size_t, N> best;
+  std::array<grid_range, N> ranges;
+  std::size_t collisions; ///< that were computed
+
+  double at(const std::array<std::size_t, N>& index) const {
+    std::size_t i = 0;
+    for (std::size_t k = 0; k < N; ++k)
+      i = i * axes[k].values.size() + index[k];
+    return chi_square[i];
+  }
+};
+
+namespace detail {
+
+/// Do these models differ in their law of plastic flow alone, the loss of which is added after the motion is known?
+template <class Model>
+bool differ_in_plastic_loss_alone([[maybe_unused]] const Model& one, [[maybe_unused]] const Model& other) {
+  if constexpr (Model::yields) {
+    std::vector<double> a, b;
+    for_each_quantity(one, [&](const char*, const auto& q) { a.push_back(in_si(q)); });
+    for_each_quantity(other, [&](const char*, const auto& q) { b.push_back(in_si(q)); });
+    const auto shared = std::ptrdiff_t(quantity_count<elastic_part<Model>>);
+    return std::equal(a.begin(), a.begin() + shared, b.begin());
+  } else {
+    return false;
+  }
+}
+
+/// Sum of the squares of measured minus computed restitutions, from e_A^2 and what plastic flow takes of it.
+inline double square_sum(std::span<const double> energy_left, std::span<const double> loss,
+                         std::span<const double> measured) {
+  double sum = 0;
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    sum += square(std::sqrt(std::max(energy_left[i] - loss[i], 0.)) - measured[i]);
+  return sum;
+}
+
+template <std::size_t N, class Family>
+class grid_scan {
+  using numbers = std::array<double, N>;
+  using model_type = std::remove_cvref_t<std::invoke_result_t<const Family&, const numbers&>>;
+
+public:
+  grid_scan(const Family& family, std::span<const measurement> data, const std::array<grid_axis, N>& axes,
+            const batch_options& options)
+      : family_(family), data_(data), options_(options), grid_{axes, {}, {}, {}, 0} {
+    if (data.empty())
+      throw bad_input("chi^2 grid: there are no measurements");
+    for (const measurement& each : data) {
+      require("speed", each.speed, positive);
+      require("restitution", each.restitution.value_or(0), range{.high = 1.5});
+      measured_.push_back(each.restitution.value_or(0));
+    }
+    std::size_t count = 1;
+    for (const grid_axis& axis : axes) {
+      if (axis.values.empty())
+        throw bad_input("chi^2 grid: " + axis.name + " has no values");
+      count *= axis.values.size();
+    }
+    grid_.chi_square.resize(count);
+  }
+
+  chi_square_grid<N> solve() {
+    const auto& last = grid_.axes.back().values;
+    const std::size_t rows = grid_.chi_square.size() / last.size();
+    const bool added = differ_in_plastic_loss_alone(model_of(0, 0), model_of(0, last.size() - 1));
+    const std::size_t solved = added ? 1 : last.size(); // motions for each row
+    if constexpr (model_type::yields)
+      for (std::size_t j = 0; added && j < last.size(); ++j)
+        losses_.push_back(losses_of(model_of(0, j)));
+    const std::size_t chunk = std::max<std::size_t>(1, 100'000 / (solved * data_.size()));
+    for (std::size_t first = 0; first < rows; first += chunk) {
+      const std::size_t end = std::min(first + chunk, rows);
+      const std::vector<double> left = energies_left(first, end, solved, added);
+      share(end - first, 8, options_.threads, {}, [&](std::size_t from, std::size_t to) {
+        const std::vector<double> none(data_.size());
+        for (std::size_t row = from; row < to; ++row)
+          for (std::size_t j = 0; j < last.size(); ++j) {
+            const std::size_t motion = row * solved + (added ? 0 : j);
+            grid_.chi_square[(first + row) * last.size() + j] =
+                square_sum(std::span(left).subspan(motion * data_.size(), data_.size()), added ? losses_[j] : none,
+                           measured_) /
+                double(data_.size());
+          }
+      });
+      if (options_.progress)
+        options_.progress(end, rows);
+    }
+    judge();
+    return std::move(grid_);
+  }
+
+private:
+  model_type model_of(std::size_t row, std::size_t j) const {
+    numbers p;
+    p[N - 1] = grid_.axes[N - 1].values[j];
+    for (std::size_t k = N - 1; k-- > 0;) {
+      const auto& values = grid_.axes[k].values;
+      p[k] = values[row % values.size()];
+      row /= values.size();
+    }
+    return family_(p);
+  }
+
+  std::vector<double> losses_of(const model_type& model) const requires(model_type::yields) {
+    std::vector<double> loss;
+    for (const measurement& each : data_)
+      loss.push_back(model.plasticity.loss(model.pair, each.speed));
+    return loss;
+  }
+
+  /// e^2 of all measured speeds for rows from `first` to `end`, `solved` motions each, without plastic loss if that is
+  /// added later.
+  std::vector<double> energies_left(std::size_t first, std::size_t end, std::size_t solved, bool added) {
+    const auto of = [&](const auto& model_for) {
+      using model = std::remove_cvref_t<decltype(model_for(std::size_t(0), std::size_t(0)))>;
+      std::vector<scene<model>> scenes;
+      for (std::size_t row = first; row < end; ++row)
+        for (std::size_t j = 0; j < solved; ++j) {
+          const model here = model_for(row, j);
+          for (const measurement& each : data_)
+            scenes.push_back({here, impact{each.speed}});
+        }
+      batch_options quietly = options_;
+      quietly.progress = {};
+      std::vector<double> left;
+      left.reserve(scenes.size());
+      for (const auto& out : collide(scenes, quietly)) {
+        if (out.ending != ending::separated && out.ending != ending::captured)
+          throw bad_input("chi^2 grid: a collision ended " + std::string(name_of(out.ending)) + ": " + out.reason);
+        left.push_back(square(out.restitution.value_or(0)));
+      }
+      grid_.collisions += left.size();
+      return left;
+    };
+    if (added)
+      return of([&](std::size_t row, std::size_t j) { return model_of(row, j).without_plasticity(); });
+    return of([&](std::size_t row, std::size_t j) { return model_of(row, j); });
+  }
+
+  void judge() {
+    const auto index_of = [&](std::size_t i) {
+      std::array<std::size_t, N> index;
+      for (std::size_t k = N; k-- > 0;) {
+        index[k] = i % grid_.axes[k].values.size();
+        i /= grid_.axes[k].values.size();
+      }
+      return index;
+    };
+    const auto least = std::min_element(grid_.chi_square.begin(), grid_.chi_square.end());
+    grid_.best = index_of(std::size_t(least - grid_.chi_square.begin()));
+    for (std::size_t k = 0; k < N; ++k) {
+      const double best = grid_.axes[k].values[grid_.best[k]];
+      grid_.ranges[k] = {best, best, best, best, best};
+    }
+    for (std::size_t i = 0; i < grid_.chi_square.size(); ++i) {
+      if (!(grid_.chi_square[i] <= 2 * *least))
+        continue;
+      const auto index = index_of(i);
+      for (std::size_t k = 0; k < N; ++k) {
+        auto others = index;
+        others[k] = grid_.best[k];
+        const double value = grid_.axes[k].values[index[k]];
+        auto& found = grid_.ranges[k];
+        found.low = std::min(found.low, value);
+        found.high = std::max(found.high, value);
+        if (others == grid_.best) {
+          found.low_alone = std::min(found.low_alone, value);
+          found.high_alone = std::max(found.high_alone, value);
+        }
+      }
+    }
+  }
+
+  const Family& family_;
+  std::span<const measurement> data_;
+  const batch_options& options_;
+  chi_square_grid<N> grid_;
+  std::vector<double> measured_;
+  std::vector<std::vector<double>> losses_; ///< of plastic flow, by value of the last axis and speed
+};
+
+} // namespace detail
+
+/// chi^2 of a family of models, which makes one from an std::array of N numbers, on a grid of these numbers: the mean
+/// square of measured minus computed restitution, that of pairs that stick being zero [Krijt 2013 (31)].
+///
+/// All collisions run as batches. Where the last axis changes a law alone whose loss is added after the motion is known
+/// (thornton_ning), the motions are computed once for all its values.
+/// \throws bad_input naming what is out of range, or if a collision cannot be resolved
+template <std::size_t N, class Family>
+chi_square_grid<N> scan_chi_square(const Family& family, std::span<const measurement> data,
+                                   const std::array<grid_axis, N>& axes, const batch_options& options = {}) {
+  return detail::grid_scan<N, Family>(family, data, axes, options).solve();
+}
+
+} // namespace ricochet
