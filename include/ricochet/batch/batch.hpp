@@ -163,15 +163,17 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
       const auto& [model, impact] = scene_of(i);
       outcomes[i] = warned(model, impact.speed, with_plastic_loss(model, impact.speed, moved[i]));
     }
-  } else if constexpr (runs_in_lanes<Model>() && !closed_form::solved<Model>)
-    share(count, batch_part<Model>::size, options.threads, options.progress, [&](std::size_t first, std::size_t last) {
+  } else if constexpr (runs_in_lanes<Model>() && !closed_form::solved<Model>) {
+    const std::size_t fair = (count + thread_count(options.threads) - 1) / thread_count(options.threads);
+    const std::size_t size = std::clamp<std::size_t>(fair, 2 * batch_lanes::size, batch_part<Model>::size);
+    share(count, size, options.threads, options.progress, [&](std::size_t first, std::size_t last) {
       batch_part<Model> part(scene_of(first).model, options.max_evaluations);
       part.solve(
           last - first, options.tolerance, [&](std::size_t i) -> decltype(auto) { return scene_of(first + i); },
           [&](std::size_t i) { return integrate(scene_of(first + i).model, scene_of(first + i).impact, alone); },
           outcomes.data() + first);
     });
-  else if constexpr (closed_form::tabulated<Model> && !Model::asked.warnings)
+  } else if constexpr (closed_form::tabulated<Model> && !Model::asked.warnings)
     share(count, 1024, options.threads, options.progress, [&](std::size_t first, std::size_t last) {
       solve_tabulated<batch_lanes, Model>(
           last - first, [&](std::size_t i) -> decltype(auto) { return scene_of(first + i); },

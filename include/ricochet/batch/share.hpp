@@ -15,7 +15,12 @@ using progress_callback = std::function<void(std::size_t done, std::size_t of)>;
 
 namespace detail {
 
-/// work(first, last) for parts of the numbers below `count`, on so many threads, 0: as many as the machine has. Throws
+/// 0: as many as the machine has.
+inline std::size_t thread_count(unsigned threads) {
+  return threads ? threads : std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// work(first, last) for parts of the numbers below `count`, on so many threads. Throws
 /// what the first of the parts threw that threw something.
 template <class Work>
 void share(std::size_t count, std::size_t part, unsigned threads, const progress_callback& progress, const Work& work) {
@@ -42,10 +47,9 @@ void share(std::size_t count, std::size_t part, unsigned threads, const progress
       }
     }
   };
-  const std::size_t wanted = threads ? threads : std::max(1u, std::thread::hardware_concurrency());
   {
     std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(wanted, (count + part - 1) / part); ++i)
+    for (std::size_t i = 1; i < std::min(thread_count(threads), (count + part - 1) / part); ++i)
       others.emplace_back(run);
     run();
   }

@@ -80,6 +80,44 @@ BOOST_AUTO_TEST_CASE(the_best_point_and_the_ranges) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(fine_grids_are_filled_in_from_fewer_collisions) {
+  const auto with_edge = [](const std::array<double, 3>& p) {
+    return compose(ice.pair, hertz{}, jkr{p[0] * joules_per_square_metre}, ice.exact(p[1] * seconds),
+                   kuwabara_kono{bulk_time_of_krijt(p[1] * seconds, 0.25)}, thornton_ning{p[2] * pascals});
+  };
+  const std::array fine{logarithmic_axis("work_of_adhesion", 0.2, 2, 40),
+                        logarithmic_axis("relaxation_time", 1e-12, 1e-10, 40),
+                        logarithmic_axis("yield_strength", 1e8, 1e9, 3)};
+  std::vector<measurement> data;
+  for (const double v : {3., 8., 30.})
+    data.push_back({v * metres_per_second, std::nullopt});
+  std::size_t told = 0, of_all = 0;
+  const auto grid =
+      scan_chi_square(with_edge, data, fine, {.tolerance = 1e-6, .progress = [&](std::size_t done, std::size_t of) {
+                                                told = done;
+                                                of_all = of;
+                                              }});
+  BOOST_TEST(grid.collisions < 3 * 40 * 40 * 3 / 4);
+  BOOST_TEST((told == 3 * 40 * 40 && of_all == told));
+  // Of pairs that are all measured as stuck chi^2 is the mean of e^2.
+  const std::size_t k = 2;
+  double worst = 0;
+  for (std::size_t i = 0; i < 40; ++i) {
+    std::vector<ricochet::scene<decltype(with_edge({}))>> scenes;
+    for (std::size_t j = 0; j < 40; ++j)
+      for (const measurement& each : data)
+        scenes.push_back({with_edge({fine[0].values[i], fine[1].values[j], fine[2].values[k]}), impact{each.speed}});
+    const auto outcomes = collide(scenes, {.tolerance = 1e-8});
+    for (std::size_t j = 0; j < 40; ++j) {
+      double sum = 0;
+      for (std::size_t n = 0; n < 3; ++n)
+        sum += square(outcomes[3 * j + n].restitution.value_or(0));
+      worst = std::max(worst, std::abs(grid.at({i, j, k}) - sum / 3));
+    }
+  }
+  BOOST_TEST(worst < 2e-6); // of e^2, with errors of 1e-6 in e
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   BOOST_CHECK_THROW(scan_chi_square(family, {}, axes), bad_input);
   BOOST_CHECK_THROW(logarithmic_axis("w", 1, 0.5, 3), bad_input);

@@ -1,6 +1,7 @@
 // Krijt et al.'s way from measured restitutions to parameters: chi^2 on a grid of them [Krijt 2013, section 4.1].
 #pragma once
 #include <ricochet/study/fit/fit.hpp>
+#include <ricochet/study/fit/grid_filling.hpp>
 
 namespace ricochet {
 
@@ -59,15 +60,6 @@ bool differ_in_plastic_loss_alone([[maybe_unused]] const Model& one, [[maybe_unu
   }
 }
 
-/// Sum of the squares of measured minus computed restitutions, from e_A^2 and what plastic flow takes of it.
-inline double square_sum(std::span<const double> energy_left, std::span<const double> loss,
-                         std::span<const double> measured) {
-  double sum = 0;
-  for (std::size_t i = 0; i < measured.size(); ++i)
-    sum += square(std::sqrt(std::max(energy_left[i] - loss[i], 0.)) - measured[i]);
-  return sum;
-}
-
 template <std::size_t N, class Family>
 class grid_scan {
   using numbers = std::array<double, N>;
@@ -97,27 +89,27 @@ public:
     const auto& last = grid_.axes.back().values;
     const std::size_t rows = grid_.chi_square.size() / last.size();
     const bool added = differ_in_plastic_loss_alone(model_of(0, 0), model_of(0, last.size() - 1));
-    const std::size_t solved = added ? 1 : last.size(); // motions for each row
+    motions_of_row_ = added ? 1 : last.size();
+    std::vector<std::vector<double>> losses(added ? last.size() : 0, std::vector<double>(data_.size()));
     if constexpr (model_type::yields)
-      for (std::size_t j = 0; added && j < last.size(); ++j)
-        losses_.push_back(losses_of(model_of(0, j)));
-    const std::size_t chunk = std::max<std::size_t>(1, 100'000 / (solved * data_.size()));
-    for (std::size_t first = 0; first < rows; first += chunk) {
-      const std::size_t end = std::min(first + chunk, rows);
-      const std::vector<double> left = energies_left(first, end, solved, added);
-      share(end - first, 8, options_.threads, {}, [&](std::size_t from, std::size_t to) {
-        const std::vector<double> none(data_.size());
+      for (std::size_t j = 0; j < losses.size(); ++j)
+        losses[j] = losses_of(model_of(0, j));
+
+    // So many speeds at once as memory allows.
+    const std::size_t together = std::max<std::size_t>(1, 4'000'000 / (rows * motions_of_row_));
+    for (std::size_t first = 0; first < data_.size(); first += together) {
+      const std::size_t count = std::min(together, data_.size() - first);
+      const grid_filling left = energies_left(first, count, added);
+      share(rows, 8, options_.threads, {}, [&](std::size_t from, std::size_t to) {
         for (std::size_t row = from; row < to; ++row)
-          for (std::size_t j = 0; j < last.size(); ++j) {
-            const std::size_t motion = row * solved + (added ? 0 : j);
-            grid_.chi_square[(first + row) * last.size() + j] =
-                square_sum(std::span(left).subspan(motion * data_.size(), data_.size()), added ? losses_[j] : none,
-                           measured_) /
-                double(data_.size());
-          }
+          for (std::size_t j = 0; j < last.size(); ++j)
+            for (std::size_t i = 0; i < count; ++i) {
+              const double e_squared = left.at(i, row * motions_of_row_ + (added ? 0 : j));
+              const double loss = added ? losses[j][first + i] : 0;
+              grid_.chi_square[row * last.size() + j] +=
+                  square(std::sqrt(std::max(e_squared - loss, 0.)) - measured_[first + i]) / double(data_.size());
+            }
       });
-      if (options_.progress)
-        options_.progress(end, rows);
     }
     judge();
     return std::move(grid_);
@@ -142,33 +134,64 @@ private:
     return loss;
   }
 
-  /// e^2 of all measured speeds for rows from `first` to `end`, `solved` motions each, without plastic loss if that is
-  /// added later.
-  std::vector<double> energies_left(std::size_t first, std::size_t end, std::size_t solved, bool added) {
-    const auto of = [&](const auto& model_for) {
-      using model = std::remove_cvref_t<decltype(model_for(std::size_t(0), std::size_t(0)))>;
-      std::vector<scene<model>> scenes;
-      for (std::size_t row = first; row < end; ++row)
-        for (std::size_t j = 0; j < solved; ++j) {
-          const model here = model_for(row, j);
-          for (const measurement& each : data_)
-            scenes.push_back({here, impact{each.speed}});
-        }
-      batch_options quietly = options_;
-      quietly.progress = {};
-      std::vector<double> left;
-      left.reserve(scenes.size());
-      for (const auto& out : collide(scenes, quietly)) {
-        if (out.ending != ending::separated && out.ending != ending::captured)
-          throw bad_input("chi^2 grid: a collision ended " + std::string(name_of(out.ending)) + ": " + out.reason);
-        left.push_back(square(out.restitution.value_or(0)));
+  /// e^2 of `count` measured speeds from `first` on, for all motions, without plastic loss if that is added later.
+  grid_filling energies_left(std::size_t first, std::size_t count, bool added) {
+    std::vector<std::vector<double>> positions;
+    for (std::size_t k = 0; k < N - (added ? 1 : 0); ++k)
+      positions.push_back(positions_on(grid_.axes[k]));
+    const std::size_t motions = motions_of_row_ * (grid_.chi_square.size() / grid_.axes.back().values.size());
+    grid_filling left(std::move(positions), count);
+    const double share = left.fills_in() ? 0.25 : 1; // of the error, for collision and polynomial
+    const auto evaluate = [&](const std::vector<std::size_t>& wanted, std::vector<double>& found) {
+      constexpr std::size_t chunk = 100'000;
+      for (std::size_t i = 0; i < wanted.size(); i += chunk) {
+        const auto some = std::span(wanted).subspan(i, std::min(chunk, wanted.size() - i));
+        const auto into = std::span(found).subspan(i, some.size());
+        const auto speed_of = [&](std::size_t element) { return data_[first + element / motions].speed; };
+        const auto model_for = [&](std::size_t element) {
+          return model_of(element % motions / motions_of_row_, element % motions % motions_of_row_);
+        };
+        if (added)
+          solve(some, into, share, speed_of,
+                [&](std::size_t element) { return model_for(element).without_plasticity(); });
+        else
+          solve(some, into, share, speed_of, model_for);
       }
-      grid_.collisions += left.size();
-      return left;
+      grid_.collisions += wanted.size();
     };
-    if (added)
-      return of([&](std::size_t row, std::size_t j) { return model_of(row, j).without_plasticity(); });
-    return of([&](std::size_t row, std::size_t j) { return model_of(row, j); });
+    left.fill(share * options_.tolerance, evaluate, [&](std::size_t known) {
+      if (options_.progress)
+        options_.progress(first * motions + known, data_.size() * motions);
+    });
+    return left;
+  }
+
+  /// e^2 of these elements of the grid.
+  template <class SpeedOf, class ModelFor>
+  void solve(std::span<const std::size_t> elements, std::span<double> found, double share, const SpeedOf& speed_of,
+             const ModelFor& model_for) const {
+    std::vector<scene<std::remove_cvref_t<decltype(model_for(std::size_t(0)))>>> scenes;
+    scenes.reserve(elements.size());
+    for (const std::size_t element : elements)
+      scenes.push_back({model_for(element), impact{speed_of(element)}});
+    batch_options how = options_;
+    how.progress = {};
+    how.tolerance = std::max(share * options_.tolerance, tolerance_range.low);
+    const auto outcomes = collide(scenes, how);
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      if (outcomes[i].ending != ending::separated && outcomes[i].ending != ending::captured)
+        throw bad_input("chi^2 grid: a collision ended " + std::string(name_of(outcomes[i].ending)) + ": " +
+                        outcomes[i].reason);
+      found[i] = square(outcomes[i].restitution.value_or(0));
+    }
+  }
+
+  /// In which e is to be smooth: logarithms, where all values are positive.
+  static std::vector<double> positions_on(const grid_axis& axis) {
+    std::vector<double> x = axis.values;
+    if (std::all_of(x.begin(), x.end(), [](double each) { return each > 0; }))
+      std::transform(x.begin(), x.end(), x.begin(), [](double each) { return std::log(each); });
+    return x;
   }
 
   void judge() {
@@ -210,7 +233,7 @@ private:
   const batch_options& options_;
   chi_square_grid<N> grid_;
   std::vector<double> measured_;
-  std::vector<std::vector<double>> losses_; ///< of plastic flow, by value of the last axis and speed
+  std::size_t motions_of_row_ = 1; ///< collisions with the same parameters but for the last axis
 };
 
 } // namespace detail
@@ -219,7 +242,9 @@ private:
 /// square of measured minus computed restitution, that of pairs that stick being zero [Krijt 2013 (31)].
 ///
 /// All collisions run as batches. Where the last axis changes a law alone whose loss is added after the motion is known
-/// (thornton_ning), the motions are computed once for all its values.
+/// (thornton_ning), the motions are computed once for all its values. Along axes of more than ten values polynomials of
+/// degree six give what lies between collisions, on parts of the grid so small that they are right, within a quarter of
+/// the tolerance, at some further collisions of each part; the collisions themselves are solved to a quarter of it.
 /// \throws bad_input naming what is out of range, or if a collision cannot be resolved
 template <std::size_t N, class Family>
 chi_square_grid<N> scan_chi_square(const Family& family, std::span<const measurement> data,
