@@ -69,7 +69,10 @@ struct radau {
       tried_ = {z, roots(f, x, z), h};
       tried_end_ = out;
       tried_well_ = norm <= 1;
-      const real next = std::min(growth_ * h, resized(h, norm, stages + 1));
+      real next = std::min(growth_ * h, resized(h, norm, stages + 1));
+      if (norm > 1 && norm > refused_ / 2) // it hardly depends on the step: what it shows is very much faster
+        next = std::min(next, h / 16);
+      refused_ = norm > 1 ? norm : std::numeric_limits<real>::infinity();
       growth_ = norm <= 1 ? 5 : 1.5;
       return {norm <= 1, out, h, next};
     }
@@ -404,6 +407,7 @@ struct radau {
 
     const table_type& table_ = table_type::get();
     real growth_ = 5, quadrature_error_ = 0, tolerance_, least_clock_ = 0;
+    real refused_ = std::numeric_limits<real>::infinity(); ///< size of the error for which the last step was not taken
     state_type typical_, slope_{}, tried_end_{}, end_{};
     matrix jacobian_, slopes_;                       ///< derivatives by y, rate and delta; by y, rate and sqrt(beta)
     matrix geometry_;                                ///< of the former by the latter
