@@ -165,12 +165,14 @@ public:
     return best;
   }
 
-  /// \see minimised()
+  /// How far minimised() goes, and whether by slopes that are as exact as they are had: others take less time, and the
+  /// least sum hardly depends on them.
   struct extent {
     double precision;
     int evaluations;
+    bool exact_slopes;
   };
-  static constexpr extent roughly{1e-3, 5}, along_profile{1e-5, 200}, fully{1e-9, 200};
+  static constexpr extent roughly{1e-3, 5, false}, along_profile{1e-5, 200, false}, fully{1e-9, 200, true};
   static constexpr std::size_t nothing_held = std::size_t(-1);
 
   /// Least sum of squares next to x, with one of the parameters held or none.
@@ -181,7 +183,7 @@ public:
         moving.push_back(k);
     if (moving.empty())
       return {residuals(x, options_.tolerance).squaredNorm(), x};
-    functor problem(*this, x, moving);
+    functor problem(*this, x, moving, how_far.exact_slopes);
     Eigen::VectorXd u(moving.size());
     for (std::size_t m = 0; m < moving.size(); ++m)
       u[Eigen::Index(m)] = std::asin(std::clamp(2 * x[moving[m]] - 1, -0.9999, 0.9999));
@@ -220,7 +222,7 @@ public:
   /// Of the residuals by the position in the box.
   Eigen::MatrixXd derivatives(const numbers& x) {
     if (!curve_.derivatives)
-      return differences(x);
+      return differences(x, 1e-4, 1e-9);
     const numbers p = at(x);
     Eigen::MatrixXd jacobian = curve_.derivatives(p);
     if (jacobian.rows() != Eigen::Index(data_.size()) || jacobian.cols() != Eigen::Index(p.size()))
@@ -268,9 +270,10 @@ private:
     return e;
   }
 
-  Eigen::MatrixXd differences(const numbers& x) {
-    constexpr double h = 1e-4; // errors of restitutions over h are then as small as the next term of the series
-    const double tolerance = std::min(options_.tolerance, 1e-9);
+  /// Central ones over a distance h, of which the tolerance is a part such that errors are as small as the next term of
+  /// the series.
+  Eigen::MatrixXd differences(const numbers& x, double h, double tolerance) {
+    tolerance = std::min(options_.tolerance, tolerance);
     Eigen::MatrixXd jacobian(data_.size(), x.size());
     for (std::size_t k = 0; k < x.size(); ++k) {
       numbers above = x, below = x;
@@ -298,8 +301,9 @@ private:
 
   /// x = (1 + sin u)/2 keeps the position in the box.
   struct functor : Eigen::DenseFunctor<double> {
-    functor(least_squares_search& all, const numbers& x, const std::vector<std::size_t>& moving)
-        : Eigen::DenseFunctor<double>(int(moving.size()), int(all.data_.size())), fit(all), from(x), moves(moving) {}
+    functor(least_squares_search& all, const numbers& x, const std::vector<std::size_t>& moving, bool exact_slopes)
+        : Eigen::DenseFunctor<double>(int(moving.size()), int(all.data_.size())), fit(all), from(x), moves(moving),
+          exact(exact_slopes) {}
 
     numbers position(const Eigen::VectorXd& u) const {
       numbers x = from;
@@ -312,7 +316,7 @@ private:
       return 0;
     }
     int df(const Eigen::VectorXd& u, Eigen::MatrixXd& jacobian) const {
-      const Eigen::MatrixXd whole = fit.derivatives(position(u));
+      const Eigen::MatrixXd whole = exact ? fit.derivatives(position(u)) : fit.differences(position(u), 1e-3, 1e-6);
       for (std::size_t m = 0; m < moves.size(); ++m)
         jacobian.col(Eigen::Index(m)) = whole.col(Eigen::Index(moves[m])) * (std::cos(u[Eigen::Index(m)]) / 2);
       return 0;
@@ -321,6 +325,7 @@ private:
     least_squares_search& fit;
     numbers from;
     std::vector<std::size_t> moves;
+    bool exact;
   };
 
   const restitution_curve& curve_;
