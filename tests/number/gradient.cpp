@@ -31,6 +31,11 @@ BOOST_AUTO_TEST_CASE(functions_of_two_quantities_and_their_derivatives) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(the_root_of_a_zero_that_depends_on_nothing_does_not_either) {
+  BOOST_TEST(sqrt(pairwise(0.0)).slope == pairwise{}.slope);
+  BOOST_TEST(sqrt(pairwise::seeded(0.0, 1)).slope[1] == std::numeric_limits<double>::infinity());
+}
+
 BOOST_AUTO_TEST_CASE(the_jacobian_of_a_contact_is_that_of_dual_numbers) {
   scenes random(4);
   for (int i = 0; i < 20; ++i) {

@@ -3,6 +3,7 @@
 #include "support/random_scenes.hpp"
 
 #include <ricochet/closed_form/linear.hpp>
+#include <ricochet/law/adhesion/line_force.hpp>
 
 using namespace support;
 
@@ -46,6 +47,10 @@ BOOST_AUTO_TEST_CASE(without_adhesion_only_an_overdamped_contact_pulled_to_zero_
   s.tsuji_coefficient = 3; // sqrt 5 is critical
   BOOST_TEST(!captured_at_rest(tsuji_hertz(s)));
   BOOST_TEST(captured_at_rest(tsuji_hertz(s, end_at_zero_overlap{})));
+  const tsuji strong{s.tsuji_coefficient};
+  BOOST_TEST(captured_at_rest(hertzian(s, jkr{}, strong))); // a work of adhesion of zero, which pulls to zero overlap
+  BOOST_TEST(captured_at_rest(hertzian(s, dmt{}, strong)));
+  BOOST_TEST(captured_at_rest(hertzian(s, line_force{}, strong)));
   s.tsuji_coefficient = 2;
   BOOST_TEST(!captured_at_rest(tsuji_hertz(s, end_at_zero_overlap{})));
   // A spring outgrows Tsuji's damping as the overlap vanishes: never certain, however large the coefficient.

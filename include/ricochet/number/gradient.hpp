@@ -47,9 +47,11 @@ struct gradient {
   friend auto operator<=>(const gradient& a, const gradient& b) { return a.value <=> b.value; }
 
   friend gradient abs(const gradient& a) { return a.value < Real(0) ? -a : a; }
+  /// Of a zero that depends on nothing, such as a work of adhesion, the root does not either.
   friend gradient sqrt(const gradient& a) {
     const Real root = std::sqrt(a.value);
-    return a.chain(root, Real(0.5) / root);
+    const bool depends = a.slope != std::array<Real, N>{};
+    return root == Real(0) && !depends ? a : a.chain(root, Real(0.5) / root);
   }
   friend gradient log(const gradient& a) { return a.chain(std::log(a.value), Real(1) / a.value); }
   friend gradient exp(const gradient& a) {

@@ -34,7 +34,7 @@ public:
   /// Looks at a contact between turns.
   T look_closely(const part& c, ledger<Reduced>& books) {
     const T left = model_.kinetic_energy(c.rate) + books.meet(c) - model_.exit_energy(c);
-    certain_ = Reduced::adhesive || Reduced::attracted ? value_of(left) < real(0) : never_opens(c);
+    certain_ = ((Reduced::adhesive || Reduced::attracted) && value_of(left) < real(0)) || never_opens(c);
     if constexpr (Reduced::free_edge)
       if (!certain_) {
         held_by_ = slow_edge_.reserve(c, T(left + model_.exit_energy(c)));
@@ -58,11 +58,14 @@ public:
   }
 
 private:
-  /// Overdamped without adhesion and pulled until the overlap vanishes, the contact never gets there: with F ~ delta^q
-  /// and F_D = c rate, c ~ delta^p, 2p + 1 <= q, c^2 >= 4(1 + p) m* F/delta holds at every smaller overlap too (if
-  /// 2p + 1 = q, at every one), and a rate above -c delta/(2(1 + p)m*) stays so.
+  /// Overdamped and held until the overlap vanishes, the contact never gets there: with F ~ delta^q and F_D = c rate, c
+  /// ~ delta^p, 2p + 1 <= q, c^2 >= 4(1 + p) m* F/delta holds at every smaller overlap too (if 2p + 1 = q, at every
+  /// one), and a rate above -c delta/(2(1 + p)m*) stays so, all the more under a pull.
   bool never_opens(const part& c) const {
-    if constexpr (has_powers() && std::same_as<typename Reduced::model_type::end_condition, end_at_zero_overlap>) {
+    if constexpr (has_powers() && held_to_zero_overlap) {
+      if constexpr (Reduced::adhesive)
+        if (value_of(T(model_.adhesion.work_of_adhesion)) != real(0)) // it ends at the fold
+          return false;
       const real p = real(decltype(model_.damping)::coefficient_power), m = value_of(T(model_.pair.reduced_mass));
       const real stiffness = value_of(model_.elastic.force(model_.pair_of(c), c)) / value_of(c.approach);
       const real coefficient = value_of(model_.damping.coefficient(model_.pair_of(c), c));
@@ -74,6 +77,10 @@ private:
       return false;
     }
   }
+
+  static constexpr bool held_to_zero_overlap =
+      (Reduced::adhesive && !Reduced::free_edge && !Reduced::flows) ||
+      (!Reduced::cohesive && std::same_as<typename Reduced::model_type::end_condition, end_at_zero_overlap>);
 
   static constexpr bool has_powers() {
     using elastic = decltype(Reduced::elastic);

@@ -92,3 +92,15 @@ BOOST_AUTO_TEST_CASE(time_goes_on_while_the_bodies_turn) {
   for (const double tolerance : {1e-7, 1e-8, 1e-9})
     BOOST_TEST(std::abs(duration_at(tolerance) / duration_at(1e-11) - 1) < tolerance);
 }
+
+BOOST_AUTO_TEST_CASE(a_work_of_adhesion_of_zero_is_no_adhesion) {
+  scenes random(5);
+  for (int i = 0; i < 20; ++i) {
+    scene s = random.next();
+    s.work_of_adhesion *= 0;
+    const auto found = integrate(viscous_jkr(s), impact{s.speed}, {.tolerance = 1e-8}, stepper::radau<5>{});
+    const auto closed = collide(viscous_hertz(s, end_at_zero_overlap{}), impact{s.speed});
+    BOOST_REQUIRE(found.ending == ending::separated);
+    BOOST_TEST(std::abs(*found.restitution - *closed.restitution) <= 1e-8);
+  }
+}
