@@ -92,8 +92,9 @@ private:
     else
       return real(Stepper::usual_error);
   }
+  static constexpr bool follows_fast_edges = requires(const method_type& method) { method.glides(); };
   static bool glides(const method_type& method) {
-    if constexpr (requires { method.glides(); })
+    if constexpr (follows_fast_edges)
       return method.glides();
     else
       return false;
@@ -210,13 +211,18 @@ private:
     if constexpr (Reduced::flows)
       flow_.set_plastic(which == event::yielding, x);
     if (which != event::turning) {
-      if constexpr (edge_limits<Reduced>::exist)
-        if (flow_.piece == events_.limits().closing || flow_.piece == events_.limits().opening)
-          events_.limits().release(x, flow_.piece);
-      flow_.piece = edge_.beyond(x, flow_.piece, which == event::leaving_above);
-      if constexpr (edge_limits<Reduced>::exist)
-        if (flow_.piece == events_.limits().closing || flow_.piece == events_.limits().opening)
-          usual_error_ = std::max<real>(usual_error_, edge_limits<Reduced>::usual_error);
+      const int next = edge_.beyond(x, flow_.piece, which == event::leaving_above);
+      if constexpr (edge_limits<Reduced>::exist) {
+        const edge_limits<Reduced>& limits = events_.limits();
+        if (limits.holds(flow_.piece))
+          limits.release(x, flow_.piece);
+        if (limits.holds(next)) {
+          if (!(value_of(limits.driven(x, next)) > real(0))) // led there by an error: its law takes the edge back
+            return;
+          usual_error_ = std::max<real>(usual_error_, limits.usual_error);
+        }
+      }
+      flow_.piece = next;
       return;
     }
     approaching_ = !approaching_;
@@ -231,6 +237,8 @@ private:
     if (flow_.evaluations > budget_) {
       out_.ending = ending::unresolved;
       out_.reason = "the budget of evaluations was spent";
+      if (Reduced::free_edge && !follows_fast_edges)
+        out_.reason += ", maybe on an edge too fast for this stepper: the default turns to an implicit one";
       return false;
     }
     if (!(h > std::numeric_limits<real>::epsilon() * longest_step_ / 4)) {

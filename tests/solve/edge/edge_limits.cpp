@@ -28,12 +28,9 @@ template <class Model>
 reduced_model<double, Model> numbers_of(const Model& model, speed v) {
   return {model, scales_at(model, v)};
 }
-} // namespace
-
-BOOST_AUTO_TEST_CASE(a_slow_edge_takes_what_jkr_would_with_the_limits_of_its_work) {
-  // Closing with k w and opening with w/k, as two contacts without a crack law: the approach of the one ends with the
-  // radius at which the other's rebound starts. Touch happens 1 % above the limit, of no consequence at this speed.
-  large_ball ball;
+/// Closing with k w and opening with w/k, as two contacts without a crack law: the approach of the one ends with the
+/// radius at which the other's rebound starts. Touch happens 1 % above the limit, of no consequence at this speed.
+double restitution_at_limits(const large_ball& ball) {
   const double k = ball.modulus_ratio, m = in_si(ball.pair.reduced_mass);
   const jkr closing{k * ball.work}, opening{ball.work / k};
   const auto deepest =
@@ -46,25 +43,58 @@ BOOST_AUTO_TEST_CASE(a_slow_edge_takes_what_jkr_would_with_the_limits_of_its_wor
   const double kinetic = m * square(in_si(ball.v)) / 2;
   const double left = kinetic + at_touch - in_si(opening.work_of_adhesion - closing.work_of_adhesion) * area -
                       in_si(opening.exit_energy(ball.pair));
+  return std::sqrt(left / kinetic);
+}
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_slow_edge_takes_what_jkr_would_with_the_limits_of_its_work) {
+  large_ball ball;
+  const double by_limits = restitution_at_limits(ball);
   const auto out = integrate(ball.model(), impact{ball.v}, {.tolerance = 1e-9});
   BOOST_TEST_REQUIRE(out.restitution.has_value());
-  BOOST_TEST_MESSAGE("e " << *out.restitution << " by limits " << std::sqrt(left / kinetic) << ", " << out.evaluations
+  BOOST_TEST_MESSAGE("e " << *out.restitution << " by limits " << by_limits << ", " << out.evaluations
                           << " evaluations");
   BOOST_TEST(out.error_estimate <= 1e-9);
   BOOST_TEST(*out.restitution < 0.95); // the edge matters
-  BOOST_TEST(std::abs(*out.restitution - std::sqrt(left / kinetic)) < 1e-4);
+  BOOST_TEST(std::abs(*out.restitution - by_limits) < 1e-4);
   // The slower the edge, the closer.
   double last = 1;
   for (const double slower : {1e2, 1e4}) {
     large_ball still = ball;
     still.relaxation_time *= slower;
     const auto slow = integrate(still.model(), impact{ball.v}, {.tolerance = 1e-7});
-    const double deviation = std::abs(slow.restitution.value() - std::sqrt(left / kinetic));
+    const double deviation = std::abs(slow.restitution.value() - by_limits);
     BOOST_TEST_MESSAGE("T_vis " << in_si(still.relaxation_time) << " s: differs by " << deviation << ", "
                                 << slow.evaluations << " evaluations");
     BOOST_TEST(deviation <= last);
     BOOST_TEST(slow.evaluations < 100'000);
     last = deviation;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_edge_is_held_only_where_the_bodies_drive_it) {
+  // The contact's energy is 3e5 times that of its edge, whose ratio a solution hardly resolves: errors once led it to
+  // the limit of a closing edge though the law took it back, and there it stayed on the rebound.
+  const material ball_of{.youngs_modulus = 23.5 * megapascals,
+                         .poissons_ratio = 0.28,
+                         .mass_density = 7320.0 * kilograms_per_cubic_metre};
+  const material wall_of{.youngs_modulus = 514.0 * gigapascals,
+                         .poissons_ratio = 0.0,
+                         .mass_density = 10900.0 * kilograms_per_cubic_metre};
+  const large_ball ball{.pair = between(sphere{ball_of, 140.0 * micrometres}, flat_wall{wall_of}),
+                        .modulus_ratio = 0.05,
+                        .work = 8.4e-3 * joules_per_square_metre,
+                        .v = 634.0 * metres_per_second,
+                        .relaxation_time = 2.76e-4 * seconds};
+  const double loss = 1 - restitution_at_limits(ball);
+  for (const double tolerance : {1e-7, 3e-8, 9e-9, 1e-9}) {
+    const auto out = integrate(ball.model(), impact{ball.v}, {.tolerance = tolerance});
+    BOOST_TEST_CONTEXT("tolerance " << tolerance) {
+      BOOST_TEST_REQUIRE(name_of(out.ending) == "separated");
+      BOOST_TEST(out.error_estimate <= tolerance);
+      BOOST_TEST(std::abs(1 - *out.restitution - loss) < 0.02 * loss + tolerance);
+      BOOST_TEST(out.evaluations < 100'000);
+    }
   }
 }
 

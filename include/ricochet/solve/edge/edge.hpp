@@ -79,7 +79,7 @@ public:
 
   /// Does the contact's radius still grow?
   static bool grows(int piece) {
-    if (piece == edge_limits<Reduced>::closing || piece == edge_limits<Reduced>::opening)
+    if (edge_limits<Reduced>::holds(piece))
       return piece == edge_limits<Reduced>::closing;
     const std::size_t above = std::size_t(piece < 0 ? -1 - piece : piece); // the joint above
     return above < joints.size() && joints[above] <= 1;

@@ -18,6 +18,7 @@ class edge_limits {
 public:
   /// The pieces of an edge that is held; others see reduced_model::at().
   static constexpr int closing = -10, opening = -11;
+  static constexpr bool holds(int piece) { return piece == closing || piece == opening; }
   /// Share of the step tolerance that a collision errs by whose edge was held, as tests/campaign/maps has it.
   static constexpr float usual_error = 4;
   static constexpr bool exist = [] {
@@ -39,36 +40,37 @@ public:
       const real area = pi<real>() * (2 * value_of(T(model_.pair.reduced_radius)) + 4 * a * a);
       const real at_rest = value_of(T(model_.adhesion.work_of_adhesion)) * area;
       const T lowest = model_.crack.lowest_ratio(), highest = model_.crack.highest_ratio();
-      const auto margin = [&](const T& ratio) -> real {
-        const real part = energy / (at_rest * value_of(ratio));
-        return part > real(1e-12f) ? std::min<real>(part, widest) : real(0); // below, round-off decides
+      const auto set = [&](place& limit, const T& ratio, int inwards) {
+        const real margin = energy / (at_rest * value_of(ratio));
+        if (!(margin > real(1e-12f))) // below, round-off decides
+          return;
+        const real near = inwards * std::min<real>(margin, widest);
+        limit = {sqrt(T(ratio * T(1 + near))), sqrt(T(ratio * T(1 + 2 * near)))};
       };
-      if (margin(lowest) > real(0))
-        closing_root_ = sqrt(T(lowest * T(1 + margin(lowest))));
-      if (margin(highest) > real(0))
-        opening_root_ = sqrt(T(highest * T(1 - margin(highest))));
+      set(closing_, lowest, 1);
+      set(opening_, highest, -1);
     }
   }
 
   /// > 0 while sqrt(beta) is above that where a closing edge is held; the like for an opening one before the fold.
   T above_lower(const state_type& x) const {
-    return closing_root_ > T(0) ? T(model_.root_ratio(x) - closing_root_) : T(1);
+    return closing_.held > T(0) ? T(model_.root_ratio(x) - closing_.held) : T(1);
   }
   T below_upper(const state_type& x, int piece) const {
-    return opening_root_ > T(0) && !model_.past_fold(model_.contact(x, piece)) ? T(opening_root_ - model_.root_ratio(x))
+    return opening_.held > T(0) && !model_.past_fold(model_.contact(x, piece)) ? T(opening_.held - model_.root_ratio(x))
                                                                                : T(1);
   }
 
-  /// > 0 while the bodies move a held edge faster than its law would: it cannot get away from the limit.
+  /// > 0 while the bodies move a held edge faster than its law would, somewhat away from the limit: it cannot get there.
   T driven(const state_type& x, int piece) const {
     const bool closes = piece == closing;
-    const T excess = model_.speed_beyond_law(x, closes ? closing_root_ : opening_root_, closes ? 0 : last_piece());
+    const T excess = model_.speed_beyond_law(x, closes ? closing_.freed : opening_.freed, closes ? 0 : last_piece());
     return closes ? excess : T(-excess);
   }
 
   /// The state with sqrt(beta) in every digit as the edge was held; round-off might be beyond the limit.
   void release(state_type& x, int piece) const {
-    const T root = piece == closing ? closing_root_ : opening_root_;
+    const T root = piece == closing ? closing_.held : opening_.held;
     for (int n = 0; n < 3; ++n)
       x[Reduced::coordinate] -=
           (model_.approach_at(x[Reduced::coordinate], root) - x[mutual_approach]) / model_.approach_gradient(x);
@@ -88,10 +90,16 @@ public:
   }
 
 private:
+  /// sqrt(beta) at which an edge is held, and that which the law must be able to keep for it to be free again: twice as
+  /// far from the limit, lest errors of the solution lead it back and forth.
+  struct place {
+    T held = T(0), freed = T(0);
+  };
+
   static constexpr int last_piece() { return int(decltype(Reduced::crack)::joints.size()); }
 
   const Reduced& model_;
-  T closing_root_ = T(0), opening_root_ = T(0);
+  place closing_, opening_;
 };
 
 } // namespace ricochet

@@ -233,7 +233,8 @@ struct radau {
     }
 
     /// Adds a change of y, rate and sqrt(beta) to the increments. While the edge keeps up, what is not linear goes to
-    /// y: else its speed would be lost. Returns the size of the change, in tolerances and in parts of sqrt(beta) - 1.
+    /// y: else its speed would be lost. Returns the size of the change, in tolerances, in parts of sqrt(beta) - 1, and
+    /// of its distance to the end of its law's range.
     real update(const Flow& f, const state_type& x, const increments& change, increments& z) const {
       const increments linear = geometry_ * change;
       real norm = 0, largest = 1e-13, largest_change = 0;
@@ -250,9 +251,19 @@ struct radau {
           const real now = f.model.root_ratio(moved_by(x, z.col(i)));
           largest = std::max(largest, std::abs(now - 1));
           largest_change = std::max(largest_change, std::abs(now - before));
+          norm = std::max(norm, std::abs(now - before) / (10 * room(f, now)));
         }
         return std::max(norm, largest_change / (10 * largest));
       }
+    }
+
+    /// From this sqrt(beta) to the nearer end of its law's range, where the edge's speed has no bound.
+    static real room(const Flow& f, const real& root) {
+      if constexpr (limited_crack_law<decltype(model_type::crack)>)
+        return std::min(std::abs(root - std::sqrt(f.model.crack.lowest_ratio())),
+                        std::abs(std::sqrt(f.model.crack.highest_ratio()) - root));
+      else
+        return std::numeric_limits<real>::infinity();
     }
 
     /// While the edge keeps up: moves y to where sqrt(beta) is as wanted, as far as that is well defined.
