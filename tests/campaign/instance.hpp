@@ -11,7 +11,8 @@
 namespace campaign {
 
 struct instance {
-  std::string name; ///< laws joined by +, then the stepper
+  std::string name; ///< laws joined by +, then the stepper, unless it is the default
+  bool by_default_stepper() const { return name.find(" by ") == std::string::npos; }
   /// \throws ricochet::bad_input where the library refuses the scene.
   finding (*solve)(const scene&, const ricochet::collide_options&);
   std::optional<double> (*reference)(const scene&) = nullptr; ///< restitution in long double; not of all

@@ -120,17 +120,21 @@ public:
   bool report() const {
     bool right = true;
     for (const extent from : extents) {
-      tally sum;
-      for (std::size_t i = 0; i < instances_.size(); ++i)
+      tally sum, by_default;
+      for (std::size_t i = 0; i < instances_.size(); ++i) {
         sum.merge(of(i, from));
+        if (instances_[i].by_default_stepper())
+          by_default.merge(of(i, from));
+      }
       if (sum.total() == 0)
         continue;
-      fmt::print("\nrange {}: {} scenes, {:.3g} evaluations each\n", name_of(from), sum.total(),
-                 double(sum.evaluations) / double(sum.total()));
+      fmt::print("\nrange {}: {} scenes, {:.3g} evaluations each; by the default stepper {} scenes\n", name_of(from),
+                 sum.total(), double(sum.evaluations) / double(sum.total()), by_default.total());
       for (std::size_t v = 0; v < sum.count.size(); ++v)
         if (sum.count[v] > 0)
-          fmt::print("  {:20} {:10}  {:.2e}\n", verdict_names[v], sum.count[v],
-                     double(sum.count[v]) / double(sum.total()));
+          fmt::print("  {:20} {:10} {:8.3f} %   by the default {:10} {:8.3f} %\n", verdict_names[v], sum.count[v],
+                     percent(sum.count[v], sum.total()), by_default.count[v],
+                     percent(by_default.count[v], by_default.total()));
       print_largest("evaluations", sum.most_evaluations);
       print_largest("ledger residual", sum.largest_residual);
       print_largest(fmt::format("error over estimate, {} comparisons", sum.compared), sum.largest_error);
@@ -142,6 +146,8 @@ public:
   }
 
 private:
+  static double percent(long part, long whole) { return whole > 0 ? 100 * double(part) / double(whole) : 0; }
+
   const instance& instance_of(std::uint64_t index) const {
     return instances_[index / 20 % instances_.size()]; // so that each has all extents
   }
