@@ -159,10 +159,14 @@ std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_option
       elastic.push_back({scene_of(i).model.without_plasticity(), scene_of(i).impact});
     const auto moved = collide_all<elastic_part<Model>>(
         count, options, [&](std::size_t i) -> const scene<elastic_part<Model>>& { return elastic[i]; });
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& [model, impact] = scene_of(i);
-      outcomes[i] = warned(model, impact.speed, with_plastic_loss(model, impact.speed, moved[i]));
-    }
+    share(count, 256, options.threads, {}, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const auto& [model, impact] = scene_of(i);
+        outcomes[i] = warned(model, impact.speed, with_plastic_loss(model, impact.speed, moved[i]));
+        if (loses_accuracy(moved[i], outcomes[i], options.tolerance))
+          outcomes[i] = ricochet::collide(model, impact, alone);
+      }
+    });
   } else if constexpr (runs_in_lanes<Model>() && !closed_form::solved<Model>) {
     const std::size_t fair = (count + thread_count(options.threads) - 1) / thread_count(options.threads);
     const std::size_t size = std::clamp<std::size_t>(fair, 2 * batch_lanes::size, batch_part<Model>::size);

@@ -179,8 +179,9 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
   detail::admit<Model>(impact, options);
   if constexpr (Model::yields)
     return detail::warned(model, impact.speed,
-                          detail::with_plastic_loss(model, impact.speed,
-                                                    integrate(model.without_plasticity(), impact, options, Stepper{})));
+                          detail::with_plastic_loss(model, impact.speed, options, [&](const collide_options& how) {
+                            return integrate(model.without_plasticity(), impact, how, Stepper{});
+                          }));
   else {
     if constexpr (Model::has_crack_law)
       if (detail::edge_is_static(model))
@@ -203,9 +204,10 @@ auto integrate(const Model& model, const impact& impact, const collide_options& 
 template <class Model>
 auto collide(const Model& model, const impact& impact, const collide_options& options = {}) {
   if constexpr (Model::yields) {
-    return detail::warned(
-        model, impact.speed,
-        detail::with_plastic_loss(model, impact.speed, collide(model.without_plasticity(), impact, options)));
+    return detail::warned(model, impact.speed,
+                          detail::with_plastic_loss(model, impact.speed, options, [&](const collide_options& how) {
+                            return collide(model.without_plasticity(), impact, how);
+                          }));
   } else if constexpr (closed_form::solved<Model>) {
     detail::admit<Model>(impact, options);
     if (auto out = closed_form::solve(model, impact.speed))

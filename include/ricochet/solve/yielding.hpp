@@ -1,10 +1,5 @@
 #pragma once
-#include <ricochet/model/contact_model.hpp>
-#include <ricochet/outcome/outcome.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <ricochet/solve/accuracy.hpp>
 
 namespace ricochet {
 
@@ -36,6 +31,30 @@ outcome_of<Model> with_plastic_loss(const Model& model, speed v, const outcome_o
   out.plastic_loss = model.plasticity.loss(model.pair, v);
   add_plastic_loss(out, out.plastic_loss);
   return out;
+}
+
+/// Is the motion known to the tolerance, but not what the loss leaves of it?
+template <class Motion, class Outcome>
+bool loses_accuracy(const Motion& elastic, const Outcome& out, double tolerance) {
+  return elastic.error_estimate <= tolerance && out.error_estimate > tolerance;
+}
+
+/// The same of the motion that motion(options) gives; solved again, more closely, where little is left of it.
+template <class Model, class Motion>
+outcome_of<Model> with_plastic_loss(const Model& model, speed v, const collide_options& options,
+                                    const Motion& motion) {
+  const auto elastic = motion(options);
+  auto out = with_plastic_loss(model, v, elastic);
+  if (!loses_accuracy(elastic, out, options.tolerance))
+    return out;
+  const double part = options.tolerance / out.error_estimate;
+  collide_options closer = options;
+  closer.tolerance =
+      std::max(elastic.error_estimate * part / 2 * (out.ending_is_certain ? 1 : part), tolerance_range.low);
+  auto again = with_plastic_loss(model, v, motion(closer));
+  again.evaluations += out.evaluations;
+  again.rejected_steps += out.rejected_steps;
+  return again;
 }
 } // namespace detail
 

@@ -245,6 +245,7 @@ private:
 /// (thornton_ning), the motions are computed once for all its values. Along axes of more than ten values polynomials of
 /// degree six give what lies between collisions, on parts of the grid so small that they are right, within a quarter of
 /// the tolerance, at some further collisions of each part; the collisions themselves are solved to a quarter of it.
+/// Where a loss added takes most of what is left, that is the error in e^2.
 /// \throws bad_input naming what is out of range, or if a collision cannot be resolved
 template <std::size_t N, class Family>
 chi_square_grid<N> scan_chi_square(const Family& family, std::span<const measurement> data,

@@ -207,7 +207,7 @@ private:
             point += sets[l][below(sets[l].size())] * strides_[l];
         tried.push_back(point);
       }
-    for (int i = 0; i < 4 && !tried.empty(); ++i) {
+    for (int i = 0; i < 8 && !tried.empty(); ++i) {
       std::size_t point = 0;
       for (std::size_t k = 0; k < sets.size(); ++k)
         point += (b.first[k] + below(b.last[k] - b.first[k] + 1)) * strides_[k];
