@@ -213,7 +213,7 @@ private:
     if (which != event::turning) {
       const int next = edge_.beyond(x, flow_.piece, which == event::leaving_above);
       if constexpr (edge_limits<Reduced>::exist) {
-        const edge_limits<Reduced>& limits = events_.limits();
+        const auto& limits = events_.limits();
         if (limits.holds(flow_.piece))
           limits.release(x, flow_.piece);
         if (limits.holds(next)) {
