@@ -57,18 +57,11 @@ Law or_idle(const std::variant<All...>& law) {
 template <class Outcome>
 normal_outcome along_normal(const Outcome& found) {
   normal_outcome out;
+  static_cast<ricochet::ending_result<double>&>(out) = found;
   static_cast<ricochet::ledger_result<double>&>(out) = found;
   static_cast<ricochet::duration_result<ricochet::duration>&>(out) = found;
   static_cast<ricochet::extremes_result<ricochet::length, ricochet::force>&>(out) = found;
   static_cast<ricochet::warnings_result&>(out) = found;
-  out.ending = found.ending;
-  out.restitution = found.restitution;
-  out.ending_is_certain = found.ending_is_certain;
-  out.error_estimate = found.error_estimate;
-  out.contacts = found.contacts;
-  out.evaluations = found.evaluations;
-  out.rejected_steps = found.rejected_steps;
-  out.reason = found.reason;
   return out;
 }
 

@@ -29,6 +29,19 @@ constexpr const char* name_of(ending e) {
   }
 }
 
+/// What every collision has.
+template <class T>
+struct ending_result {
+  ricochet::ending ending = ricochet::ending::failed;
+  std::optional<T> restitution;  ///< of the final separation; absent when the bodies did not separate
+  bool ending_is_certain = true; ///< false so near a threshold that the error bound does not decide
+  double error_estimate = 0;     ///< bound of the error of the restitution
+  int contacts = 1;
+  long evaluations = 0;    ///< of the equations of motion, all solutions together
+  long rejected_steps = 0; ///< likewise
+  std::string reason;      ///< of an ending that is unresolved or failed
+};
+
 /// Losses in units of the initial kinetic energy, jumps included; largest |energy| met sets the residual's scale.
 template <class T>
 struct ledger_result {
@@ -120,23 +133,15 @@ using part = std::conditional_t<Wanted, Part, nothing<Place>>;
 /// What came out of a collision. The parts that were not asked for in compose() are not there.
 template <class T, class Length, class Duration, class Force, class Speed, requests Asked, bool Friction = false,
           bool Flows = false, bool Peels = false, class AngularSpeed = T>
-struct basic_outcome : detail::part<Asked.ledger, ledger_result<T>, 0>,
+struct basic_outcome : ending_result<T>,
+                       detail::part<Asked.ledger, ledger_result<T>, 0>,
                        detail::part<Asked.duration, duration_result<Duration>, 1>,
                        detail::part<Asked.extremes, extremes_result<Length, Force>, 2>,
                        detail::part<Asked.trajectory, trajectory_result<Flows>, 3>,
                        detail::part<Friction, sliding_result<Speed, Length, Duration>, 4>,
                        detail::part<Flows, flow_result<T, Length>, 5>,
                        detail::part<Asked.warnings, warnings_result, 6>,
-                       detail::part<Peels, rolling_result<T, AngularSpeed>, 7> {
-  ricochet::ending ending = ricochet::ending::failed;
-  std::optional<T> restitution;  ///< of the final separation; absent when the bodies did not separate
-  bool ending_is_certain = true; ///< false so near a threshold that the error bound does not decide
-  double error_estimate = 0;     ///< bound of the error of the restitution
-  int contacts = 1;
-  long evaluations = 0;    ///< of the equations of motion, all solutions together
-  long rejected_steps = 0; ///< likewise
-  std::string reason;      ///< of an ending that is unresolved or failed
-};
+                       detail::part<Peels, rolling_result<T, AngularSpeed>, 7> {};
 
 /// Of a model with a plasticity law: what plastic flow took is in the restitution and in the remaining energy; all else
 /// is of the elastic motion.

@@ -25,14 +25,7 @@ namespace detail {
 template <class Model>
 outcome_of<Model> in_si_units(const reduced_outcome_of<double, Model>& numbers, const scales& unit) {
   outcome_of<Model> out;
-  out.ending = numbers.ending;
-  out.restitution = numbers.restitution;
-  out.ending_is_certain = numbers.ending_is_certain;
-  out.error_estimate = numbers.error_estimate;
-  out.contacts = numbers.contacts;
-  out.evaluations = numbers.evaluations;
-  out.rejected_steps = numbers.rejected_steps;
-  out.reason = numbers.reason;
+  static_cast<ending_result<double>&>(out) = numbers;
   if constexpr (Model::asked.ledger)
     static_cast<ledger_result<double>&>(out) = numbers;
   if constexpr (Model::asked.duration)

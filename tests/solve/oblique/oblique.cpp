@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/random_scenes.hpp"
+#include "support/random_vectors.hpp"
 
 #include <ricochet/closed_form/brach_dunn.hpp>
 #include <ricochet/law/adhesion/line_force.hpp>
@@ -40,22 +41,6 @@ double kinetic_energy(const contact_pair& pair, const Vector3d& velocity, const 
   return in_si(pair.reduced_mass) / 2 * velocity.squaredNorm() + spin_energy(b.mass_1, b.radius_1, spin_1) +
          (std::isinf(in_si(b.radius_2)) ? 0 : spin_energy(b.mass_2, b.radius_2, spin_2));
 }
-
-class random_vectors {
-public:
-  Vector3d next(double size) {
-    std::normal_distribution<> normal;
-    return size * Vector3d(normal(generator_), normal(generator_), normal(generator_));
-  }
-  Eigen::Quaterniond rotation() {
-    std::normal_distribution<> normal;
-    return Eigen::Quaterniond(normal(generator_), normal(generator_), normal(generator_), normal(generator_))
-        .normalized();
-  }
-
-private:
-  std::mt19937_64 generator_{7};
-};
 
 } // namespace
 

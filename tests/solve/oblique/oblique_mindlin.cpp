@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "support/random_scenes.hpp"
+#include "support/random_vectors.hpp"
 
 #include <ricochet/law/adhesion/dmt.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
@@ -23,22 +24,6 @@ oblique_impact impact_at(double psi, double f, double k = kappa) {
 
 /// Their psi_2 = kappa slip/(f speed) of the rebound.
 double psi_after(const auto& out, double f, double k = kappa) { return k * in_si(out.normal.slip) / (f * 2); }
-
-class random_vectors {
-public:
-  Vector3d next(double size) {
-    std::normal_distribution<> normal;
-    return size * Vector3d(normal(generator_), normal(generator_), normal(generator_));
-  }
-  Eigen::Quaterniond rotation() {
-    std::normal_distribution<> normal;
-    return Eigen::Quaterniond(normal(generator_), normal(generator_), normal(generator_), normal(generator_))
-        .normalized();
-  }
-
-private:
-  std::mt19937_64 generator_{7};
-};
 
 } // namespace
 
