@@ -189,7 +189,8 @@ private:
 
   std::size_t index_along(std::size_t k, std::size_t point) const { return point / strides_[k] % positions_[k].size(); }
 
-  /// Points between nodes: along each axis by itself, the other coordinates at random nodes, then at random in all.
+  /// Points halfway between nodes, where a polynomial errs most: along each axis by itself, the other coordinates at
+  /// random nodes, then along all axes at once.
   std::vector<std::size_t> trials_of(const box& b, const node_sets& sets) const {
     std::uint64_t random = b.function + 1;
     for (std::size_t k = 0; k < sets.size(); ++k)
@@ -198,19 +199,24 @@ private:
       random = random * 6364136223846793005u + 1442695040888963407u;
       return std::size_t((random >> 33) % n);
     };
+    const auto has_gaps = [&](std::size_t k) { return polynomial_along(k, b.last[k] - b.first[k] + 1); };
+    const auto within = [&](std::size_t k, std::size_t gap) {
+      return (sets[k][gap] + sets[k][gap + 1]) / 2 * strides_[k];
+    };
+    const auto at_node = [&](std::size_t k) { return sets[k][below(sets[k].size())] * strides_[k]; };
     std::vector<std::size_t> tried;
     for (std::size_t k = 0; k < sets.size(); ++k)
-      for (std::size_t gap = 0; polynomial_along(k, b.last[k] - b.first[k] + 1) && gap + 1 < nodes; ++gap) {
-        std::size_t point = (sets[k][gap] + sets[k][gap + 1]) / 2 * strides_[k];
+      for (std::size_t gap = 0; has_gaps(k) && gap + 1 < nodes; ++gap) {
+        std::size_t point = within(k, gap);
         for (std::size_t l = 0; l < sets.size(); ++l)
           if (l != k)
-            point += sets[l][below(sets[l].size())] * strides_[l];
+            point += at_node(l);
         tried.push_back(point);
       }
     for (int i = 0; i < 8 && !tried.empty(); ++i) {
       std::size_t point = 0;
       for (std::size_t k = 0; k < sets.size(); ++k)
-        point += (b.first[k] + below(b.last[k] - b.first[k] + 1)) * strides_[k];
+        point += has_gaps(k) ? within(k, below(nodes - 1)) : at_node(k);
       tried.push_back(point);
     }
     return tried;
