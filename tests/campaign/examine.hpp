@@ -243,7 +243,8 @@ finding solve_oblique(const scene& s, const collide_options& options) {
   if (!(f.certain && f.error_estimate <= tolerance)) // else nothing more is promised
     return f;
   f.expect(out.friction_loss >= -tolerance, with_value("friction loss", out.friction_loss));
-  f.expect(std::abs(before - after - lost * along_normal) <= (1e-9 + tolerance) * (before + along_normal),
+  const double allowed = 1e-9 + std::max(tolerance, 2 * out.normal.slip_error_estimate);
+  f.expect(std::abs(before - after - lost * along_normal) <= allowed * (before + along_normal),
            with_value("friction leaves an energy of", after) + with_value(" of", before) +
                with_value(" and loses", lost * along_normal));
   f.expect(out.normal_turn >= 0 && std::isfinite(out.normal_turn), with_value("turn of the normal", out.normal_turn));

@@ -46,8 +46,8 @@ class lane_solver {
   static constexpr bool pulled = Model::adhesive || Model::attracted;
   static constexpr bool ends_without_force =
       !pulled && Model::damped && std::same_as<typename Model::end_condition, end_at_zero_force>;
-  static constexpr bool kinks_at_turning = Model::attracted; ///< where it may begin to oppose the rebound
-  static constexpr bool free_edge = Model::has_crack_law;    ///< whose motion has a kink where it rests
+  static constexpr bool kinks_at_turning = Model::opposes_rebound;
+  static constexpr bool free_edge = Model::has_crack_law; ///< whose motion has a kink where it rests
 
 public:
   static constexpr int evaluations_a_step = int(stepper::tsitouras_papakostas75_table::stages);

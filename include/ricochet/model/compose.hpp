@@ -23,8 +23,11 @@ consteval bool diagnose() {
                   "adhesion law: work_of_adhesion, surface_energy, flattening, touch_radius, fold_radius, "
                   "contact_radius, pull_off_force or exit_energy is missing or returns another type "
                   "(law/adhesion/adhesion_law.hpp); or, of a force without an edge, attraction, potential_energy, "
-                  "rebound_damping or equivalent_work_of_adhesion (law/adhesion/attraction_law.hpp); or, of a force "
+                  "or equivalent_work_of_adhesion (law/adhesion/attraction_law.hpp); or, of a force "
                   "with a range, branch too (law/adhesion/cohesive_law.hpp)");
+  if constexpr (attraction_law<L> && requires { &L::rebound_damping; })
+    static_assert(rebound_opposing_law<L>, "attraction law: rebound_damping(pair, configuration) returns another type "
+                                           "(law/adhesion/attraction_law.hpp)");
   if constexpr (plays<L, role::crack>)
     static_assert(crack_velocity_law<L>, "crack-velocity law: joints, speed_scale, first_ratio or rate is "
                                          "missing or returns another type (law/crack/crack_velocity_law.hpp)");
@@ -76,8 +79,9 @@ void check_dimensions() {
     (void)[](const Law& law, pair p, part c) {
       (void)force(law.attraction(p, c));
       (void)energy(law.potential_energy(p, c));
-      (void)damping(law.rebound_damping(p, c));
       (void)energy_per_area(law.equivalent_work_of_adhesion(p));
+      if constexpr (rebound_opposing_law<Law>)
+        (void)damping(law.rebound_damping(p, c));
     };
   else if constexpr (cohesive_law<Law>)
     (void)[](const Law& law, pair p, const cohesive_configuration<dimensional>& c) {

@@ -15,10 +15,10 @@ template <class Elastic, class Adhesion, class Crack, class Damping, class Tange
 struct contact_model {
   using end_condition = End;
   static constexpr requests asked = Asked;
-  static constexpr bool opposes_rebound = attraction_law<Adhesion>; ///< adhesion is a force on a Hertzian contact
-  static constexpr bool cohesive = cohesive_law<Adhesion>;          ///< adhesion is a force that makes the contact
-  static constexpr bool attracted = opposes_rebound || cohesive;
-  static constexpr bool adhesive = is_present<Adhesion> && !attracted; ///< adhesion is a work done at the edge
+  static constexpr bool cohesive = cohesive_law<Adhesion>; ///< adhesion is a force that makes the contact
+  static constexpr bool attracted = attraction_law<Adhesion> || cohesive; ///< adhesion is a force
+  static constexpr bool opposes_rebound = rebound_opposing_law<Adhesion>; ///< likewise, more so against a rebound
+  static constexpr bool adhesive = is_present<Adhesion> && !attracted;    ///< adhesion is a work done at the edge
   static constexpr bool damped = is_present<Damping>;
   static constexpr bool has_crack_law = is_present<Crack>;
   static constexpr bool slides = sliding_law<Tangential>;              ///< as a whole, or else rolls
@@ -54,7 +54,7 @@ struct contact_model {
   }
 
   /// Force by which an adhesion without an edge pulls, >= 0; to be taken from the elastic one.
-  force attraction(length approach, length radius) const requires opposes_rebound {
+  force attraction(length approach, length radius) const requires attraction_law<Adhesion> {
     return adhesion.attraction(pair, {approach, speed{}, radius, root(radius)});
   }
 

@@ -263,8 +263,10 @@ private:
 
   state_type next_touch(const state_type& x) {
     state_type next = model_.touch(x[approach_rate]);
-    if constexpr (Reduced::keeps_time)
-      next[elapsed_time] = x[elapsed_time] - now(x).approach / x[approach_rate];
+    if constexpr (Reduced::keeps_time) {
+      const T flight = -now(x).approach / x[approach_rate];
+      next[elapsed_time] = x[elapsed_time] + (value_of(flight) > 0 ? flight : T(0)); // creeping ones still overlap
+    }
     if constexpr (asked.ledger && Reduced::damped)
       next[bulk_loss] = x[bulk_loss];
     if constexpr (asked.ledger && (Reduced::free_edge || Reduced::opposes_rebound))

@@ -29,8 +29,6 @@ struct dmt_law {
     return -pull_off_force(pair) * c.radius * (c.radius / pair.reduced_radius);
   }
 
-  typename S::damping rebound_damping(const basic_pair<S>&, const configuration<S>&) const { return {}; }
-
   typename S::energy_per_area equivalent_work_of_adhesion(const basic_pair<S>&) const { return work_of_adhesion; }
 
   /// Largest tension, 2 pi w R.
