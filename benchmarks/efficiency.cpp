@@ -96,19 +96,21 @@ inline lanes_in_use lanes_with_uneven_collisions(std::size_t count) {
     for (std::size_t first = 0; first + group <= tasks.size(); first += group)
       solver.solve(
           group, [&](std::size_t i) { return tasks[first + i]; },
-          [&](std::size_t i, const lane_solution& solution) {
+          [&](std::size_t i, bool, const lane_solution& solution) {
             steps += solution.steps;
             least = std::min<long>(least, solution.steps);
-            if (most < solution.steps) {
+            if (most < solution.steps && &tasks == &mixed) {
               most = solution.steps;
               longest.assign(count / 10, tasks[first + i]);
             }
           });
   };
   solve(mixed, count);
-  const double ratio = double(steps) / (double(count / 10) * double(most));
+  const double mixed_steps = double(steps);
+  solve(longest, longest.size());
+  const double ratio = mixed_steps / double(steps);
   const auto seconds = measure::least_seconds(7, {[&] { solve(longest, longest.size()); }, [&] { solve(mixed, count); },
-                                                  [&] { solve(mixed, detail::batch_lanes::size); }});
+                                                  [&] { solve(mixed, detail::batch_lanes::size / 2); }});
   return {double(most) / double(least), seconds[0] * ratio / seconds[1], seconds[0] * ratio / seconds[2]};
 }
 

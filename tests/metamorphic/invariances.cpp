@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(decimal_units_of_length_mass_and_time_do_not_matter) {
 }
 
 BOOST_AUTO_TEST_CASE(binary_units_change_but_last_bits) {
-  // No number is rounded, but the powers of 5/6 and 2/5 in a collision's own scales are: not all outcomes are the same.
+  // No number is rounded, but the roots and the power of 2/5 in a collision's own scales are: not all outcomes are the same.
   for (const composition& laws : compositions()) {
     spread apart(laws.name);
     std::mt19937 random(4);

@@ -37,13 +37,13 @@ template <class Model>
 double lane_tolerance(double wanted) {
   return std::min(1.4 * std::pow(wanted, 6. / 7), Model::has_crack_law ? 1e-4 : 1.5e-4);
 }
-/// Error of a collision's energy to be reckoned with, unless found larger, in units of the kinetic one, in which
-/// `largest` is the largest energy met. Contacts pulled by a force without an edge err up to ten times more than
+/// Error of a collision's energy to be reckoned with, unless found larger, in units of the geometric mean of the
+/// kinetic energy and the largest one met. Contacts pulled by a force without an edge err up to ten times more than
 /// others, free edges up to three times more where steps are long.
 template <class Model>
-double usual_lane_error(double tolerance, double largest) {
+double usual_lane_error(double tolerance) {
   const double of_steps = Model::has_crack_law ? std::max(1., std::cbrt(2.7e5 * tolerance)) : 1;
-  return (Model::attracted ? 0.5 : 0.1) * of_steps * std::pow(tolerance, 7. / 6) * std::sqrt(largest);
+  return (Model::attracted ? 0.5 : 0.1) * of_steps * std::pow(tolerance, 7. / 6);
 }
 
 /// Is the edge so fast that a collision alone, by an implicit method, takes less time than in lanes? Where lanes of two
@@ -64,12 +64,13 @@ bool faster_alone(const Model& model, speed v) {
 /// where they do not tell the outcome to the tolerance wanted.
 template <class Model>
 std::optional<outcome_of<Model>> outcome_of_lanes(const lane_solution& rough, const lane_solution& fine,
-                                                  double tolerance, double wanted, int evaluations_a_step) {
+                                                  double tolerance, double usual_error, double wanted,
+                                                  int evaluations_a_step) {
   if (rough.fate != fine.fate || fine.fate == lane_fate::set_aside)
     return std::nullopt;
   const double round_off = (16 + fine.steps / 5) * std::numeric_limits<double>::epsilon() * fine.largest_energy;
   const double energy_error =
-      std::max(std::abs(fine.excess - rough.excess), usual_lane_error<Model>(tolerance, fine.largest_energy));
+      std::max(std::abs(fine.excess - rough.excess), usual_error * std::sqrt(fine.largest_energy));
   outcome_of<Model> out;
   out.evaluations = (rough.steps + fine.steps) * evaluations_a_step;
   if (fine.fate == lane_fate::captured) { // the solutions were looked at at different instants
@@ -116,15 +117,16 @@ public:
     double tolerance = lane_tolerance<Model>(wanted);
     for (int round = 0; round < 2 && count > 0; ++round, tolerance /= 64) {
       lanes_.solve(
-          2 * count,
+          count,
           [&](std::size_t i) {
-            const auto& [model, impact] = scene_of(open_[i / 2]);
-            return lane_task<Model>{laws_in_si<double>(model), in_si(impact.speed), i % 2 ? tolerance / 4 : tolerance};
+            const auto& [model, impact] = scene_of(open_[i]);
+            return lane_task<Model>{laws_in_si<double>(model), in_si(impact.speed), tolerance};
           },
-          [&](std::size_t i, const lane_solution& solution) { solutions_[i] = solution; });
+          [&](std::size_t i, bool fine, const lane_solution& solution) { solutions_[i][fine] = solution; });
+      const double usual = usual_lane_error<Model>(tolerance);
       std::size_t left = 0;
       for (std::size_t i = 0; i < count; ++i)
-        if (auto out = outcome_of_lanes<Model>(solutions_[2 * i], solutions_[2 * i + 1], tolerance, wanted,
+        if (auto out = outcome_of_lanes<Model>(solutions_[i][false], solutions_[i][true], tolerance, usual, wanted,
                                                solver::evaluations_a_step)) {
           const auto& [model, impact] = scene_of(open_[i]);
           outcomes[open_[i]] = warned<Model>(model, impact.speed, std::move(*out));
@@ -138,7 +140,7 @@ public:
 
 private:
   solver lanes_;
-  std::array<lane_solution, 2 * size> solutions_;
+  std::array<std::array<lane_solution, 2>, size> solutions_;
   std::array<std::size_t, size> open_;
 };
 

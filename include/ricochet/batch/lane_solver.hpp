@@ -27,7 +27,8 @@ struct lane_solution {
   int steps;
 };
 
-/// What is solved: a collision's laws in SI, its speed in m/s, and its step tolerance in units of the speed.
+/// What is solved, twice: a collision's laws in SI, its speed in m/s, and the larger of its two step tolerances, in
+/// units of the speed; the other is a quarter of it.
 template <class Model>
 struct lane_task {
   reduced_laws<double, Model> laws;
@@ -56,30 +57,31 @@ public:
   /// than given, or many more than lanes are good for.
   lane_solver(const Model& model, long max_evaluations)
       : model_(model), most_steps_(double(std::min(max_evaluations / evaluations_a_step, free_edge ? 4000L : 1000L))),
-        now_{.model = reduced_type(laws_in_si<Lanes>(model))}, staged_(now_) {}
+        now_{.model = reduced_type(laws_in_si<Lanes>(model))}, staged_{now_, now_} {}
 
-  /// `task_of(i)` gives the task i < count; `finished(i, lane_solution)` is told its solution, in no certain order.
+  /// `task_of(i)` gives the task i < count; `finished(i, fine, lane_solution)` is told its solution at the larger step
+  /// tolerance and, fine, at the smaller one, in no certain order.
   template <class TaskOf, class Finished>
   void solve(std::size_t count, const TaskOf& task_of, const Finished& finished) {
     std::size_t next = 0, staged_from = 0, staged = 0;
-    std::array<std::size_t, Lanes::size> task;
+    std::array<std::size_t, Lanes::size> solution; // of each lane, two to a task
     std::uint64_t busy = 0;
     const auto refill = [&](std::size_t lane) {
-      if (next == count)
+      if (next == 2 * count)
         return false;
-      if (next == staged_from + staged) {
-        staged_from = next;
-        staged = std::min(Lanes::size, count - next);
+      if (next == 2 * (staged_from + staged)) {
+        staged_from += staged;
+        staged = std::min(Lanes::size, count - staged_from);
         stage(staged, [&](std::size_t i) { return task_of(staged_from + i); });
       }
-      copy_lane<Lanes>(now_, lane, staged_, next - staged_from);
-      task[lane] = next++;
+      copy_lane<Lanes>(now_, lane, staged_[next % 2], next / 2 - staged_from);
+      solution[lane] = next++;
       return true;
     };
     for (std::size_t lane = 0; lane < Lanes::size && refill(lane); ++lane)
       busy |= std::uint64_t(1) << lane;
     for (std::size_t lane = std::size_t(std::popcount(busy)); lane < Lanes::size; ++lane)
-      copy_lane<Lanes>(now_, lane, staged_, 0);
+      copy_lane<Lanes>(now_, lane, staged_[0], 0);
     while (busy) {
       const auto [let_go, captured, aside] = step();
       for (std::uint64_t done = (let_go | captured | aside) & busy; done; done &= done - 1) {
@@ -89,8 +91,9 @@ public:
                                : captured & bit ? lane_fate::captured
                                                 : lane_fate::let_go;
         const double speed = now_.speed[lane], kinetic = now_.model.kinetic_energy(now_.speed)[lane];
-        finished(task[lane], lane_solution{fate, -end_rate_[lane] / speed, excess_[lane] / kinetic,
-                                           now_.largest_energy[lane] / kinetic, int(now_.steps[lane])});
+        finished(solution[lane] / 2, solution[lane] % 2 == 1,
+                 lane_solution{fate, -end_rate_[lane] / speed, excess_[lane] / kinetic,
+                               now_.largest_energy[lane] / kinetic, int(now_.steps[lane])});
         if (!refill(lane))
           busy &= ~bit;
       }
@@ -119,31 +122,39 @@ private:
       tolerance.put(lane, task.tolerance);
     }
     const auto unit = laws.scales_at(speed);
-    staged_.model = reduced_type(in_scales(laws, model_, unit));
-    const reduced_type& m = staged_.model;
+    course& rough = staged_[0];
+    rough.model = reduced_type(in_scales(laws, model_, unit));
+    const reduced_type& m = rough.model;
     const Lanes v = speed * unit.duration / unit.length;
-    tolerance = max(tolerance * min(v, Lanes(1)), Lanes(4 * std::numeric_limits<double>::epsilon()));
-    staged_.speed = v;
-    staged_.x = m.touch(v);
-    const state_type typical = m.typical();
+    rough.speed = v;
+    rough.x = m.touch(v);
+    rough.has_turned = rough.steps = Lanes(0);
+    if constexpr (Model::adhesive)
+      rough.end = m.fold_coordinate();
+    else
+      rough.end = Lanes(0);
+    rough.piece = Lanes(0);
+    rough.since = Lanes(infinite);
+    const Lanes potential = m.potential(m.contact(rough.x, rough.piece));
+    rough.largest_energy = max(max(m.kinetic_energy(v), abs(potential)), m.exit_energy());
+    staged_[1] = rough;
+    tolerance = tolerance * min(v, Lanes(1));
+    set_tolerance(staged_[0], tolerance);
+    set_tolerance(staged_[1], tolerance / Lanes(4));
+  }
+
+  static void set_tolerance(course& c, Lanes tolerance) {
+    tolerance = max(tolerance, Lanes(4 * std::numeric_limits<double>::epsilon()));
+    const state_type typical = c.model.typical();
     for (std::size_t i = 0; i < typical.size(); ++i)
-      staged_.per_error[i] = Lanes(1) / (typical[i] * tolerance);
+      c.per_error[i] = Lanes(1) / (typical[i] * tolerance);
     const Lanes eighth_root = sqrt(sqrt(sqrt(tolerance)));
     if constexpr (free_edge)
-      staged_.longest = min(Lanes(0.4), eighth_root);
+      c.longest = min(Lanes(0.4), eighth_root);
     else
-      staged_.longest = typical[m.coordinate] * min(Lanes(1), Lanes(2) * eighth_root);
-    staged_.h = staged_.longest / Lanes(8);
-    staged_.close = staged_.longest * sqrt(tolerance) / Lanes(64);
-    staged_.has_turned = staged_.steps = Lanes(0);
-    if constexpr (Model::adhesive)
-      staged_.end = m.fold_coordinate();
-    else
-      staged_.end = Lanes(0);
-    staged_.piece = Lanes(0);
-    staged_.since = Lanes(infinite);
-    const Lanes potential = m.potential(m.contact(staged_.x, staged_.piece));
-    staged_.largest_energy = max(max(m.kinetic_energy(v), abs(potential)), m.exit_energy());
+      c.longest = typical[reduced_type::coordinate] * min(Lanes(1), Lanes(2) * eighth_root);
+    c.h = c.longest / Lanes(8);
+    c.close = c.longest * sqrt(tolerance) / Lanes(64);
   }
 
   struct endings {
@@ -309,7 +320,8 @@ private:
 
   const Model& model_;
   double most_steps_;
-  course now_, staged_;
+  course now_;
+  std::array<course, 2> staged_; ///< who comes next, at both step tolerances
   stepper_type stepper_;
   Lanes end_rate_, excess_;
 };

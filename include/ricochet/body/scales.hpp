@@ -40,7 +40,7 @@ using scales = basic_scales<double>;
 template <class T>
 basic_scales<T> scales_of(const basic_pair<reduced<T>>& pair, const T& v, const T& w) {
   const T E = pair.reduced_modulus, R = pair.reduced_radius, m = pair.reduced_mass;
-  const T adhesive = pow(w, T(5. / 6)) * pow(R, T(4. / 6)) / (cube_root(E) * sqrt(m));
+  const T adhesive = cube_root(w * R * R / E) * sqrt(w / m);
   const T fastest = max(v, adhesive);
   const T approach = pow(m * fastest * fastest / (E * sqrt(R)), T(0.4));
   return {.length = approach, .duration = approach / fastest, .mass = m};
