@@ -2,6 +2,7 @@
 
 #include "support/reference_rows.hpp"
 
+#include <ricochet/law/adhesion/maugis_dugdale.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/study/sensitivity.hpp>
 
@@ -93,6 +94,31 @@ BOOST_AUTO_TEST_CASE(dual_numbers_and_differences_agree) {
   agrees_with_differences(compose(ice.pair, hertz{}, ice.adhesive, ice.viscous), v);
   agrees_with_differences(compose(ice.pair, hertz{}, ice.adhesive, ice.viscous, ice.exact(1e-11 * seconds)), v);
   agrees_with_differences(compose(ice.pair, hertz{}, ice.adhesive, ice.viscous, thornton_ning{5e8 * pascals}), v);
+}
+
+BOOST_AUTO_TEST_CASE(where_a_quantity_is_zero_the_others_are_as_without_it) {
+  const speed v = 8.0 * metres_per_second;
+  const auto same = [&](const auto& with, const auto& without, const std::string& at_zero) {
+    const auto found = sensitivities(with, impact{v}), expected = sensitivities(without, impact{v});
+    BOOST_TEST(found.error_estimate < 1e-7);
+    for (const sensitivity& each : expected.by)
+      BOOST_TEST(std::abs(by(found, each.quantity) - each.relative()) < 1e-7, each.quantity);
+    for (const sensitivity& each : found.by)
+      BOOST_TEST((std::isfinite(each.derivative) || each.quantity == at_zero), each.quantity);
+  };
+  const kuwabara_kono viscous{1e-10 * seconds};
+  const thornton_ning plastic{3e8 * pascals};
+  same(compose(ice.pair, hertz{}, jkr{}, viscous), compose(ice.pair, hertz{}, viscous, end_at_zero_overlap{}), "work_of_adhesion");
+  same(compose(ice.pair, hertz{}, ice.adhesive, kuwabara_kono{}, plastic),
+       compose(ice.pair, hertz{}, ice.adhesive, plastic), "");
+  same(compose(ice.pair, hertz{}, ice.adhesive, ice.exact(0.0 * seconds), viscous),
+       compose(ice.pair, hertz{}, ice.adhesive, viscous), "relaxation_time");
+}
+
+BOOST_AUTO_TEST_CASE(of_a_cohesive_zone) {
+  agrees_with_differences(compose(ice.pair, hertz{}, maugis_dugdale{0.1 * joules_per_square_metre, 2e-9 * metres},
+                                  kuwabara_kono{1e-10 * seconds}),
+                          20.0 * metres_per_second);
 }
 
 BOOST_AUTO_TEST_CASE(a_captured_pair_depends_on_nothing) {

@@ -47,16 +47,26 @@ struct gradient {
   friend auto operator<=>(const gradient& a, const gradient& b) { return a.value <=> b.value; }
 
   friend gradient abs(const gradient& a) { return a.value < Real(0) ? -a : a; }
-  /// Of a zero that depends on nothing, such as a work of adhesion, the root does not either.
+  /// Of a zero, such as a work of adhesion, the root does not depend on what the zero does not depend on.
   friend gradient sqrt(const gradient& a) {
     const Real root = std::sqrt(a.value);
-    const bool depends = a.slope != std::array<Real, N>{};
-    return root == Real(0) && !depends ? a : a.chain(root, Real(0.5) / root);
+    gradient out = a.chain(root, Real(0.5) / root);
+    if (root == Real(0))
+      for (std::size_t i = 0; i < N; ++i)
+        if (a.slope[i] == Real(0))
+          out.slope[i] = Real(0);
+    return out;
   }
   friend gradient log(const gradient& a) { return a.chain(std::log(a.value), Real(1) / a.value); }
   friend gradient exp(const gradient& a) {
     const Real power = std::exp(a.value);
     return a.chain(power, power);
+  }
+  friend gradient sin(const gradient& a) { return a.chain(std::sin(a.value), std::cos(a.value)); }
+  friend gradient cos(const gradient& a) { return a.chain(std::cos(a.value), -std::sin(a.value)); }
+  friend gradient atan2(const gradient& a, const gradient& b) {
+    const Real square_sum = a.value * a.value + b.value * b.value;
+    return combine(std::atan2(a.value, b.value), a, b.value / square_sum, b, -a.value / square_sum);
   }
   friend gradient pow(const gradient& a, const gradient& b) {
     const Real power = std::pow(a.value, b.value);

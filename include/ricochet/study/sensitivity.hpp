@@ -64,15 +64,23 @@ struct moving_scene {
 
   double along_speed(std::size_t j) const { return slope.back()[j]; }
 
-  /// Largest relative change of a quantity by a step of one along direction j.
+  /// Largest relative change of a quantity by a step of one along direction j; of those that are zero it tells nothing.
   double pace(std::size_t j) const {
     double largest = std::abs(along_speed(j)) / in_si(impact.speed);
     std::size_t i = 0;
     for_each_quantity(model, [&](const char*, const auto& q) {
-      if (const double moved = slope[i++][j]; moved != 0)
+      if (const double moved = slope[i++][j]; moved != 0 && in_si(q) != 0)
         largest = std::max(largest, std::abs(moved / in_si(q)));
     });
     return largest;
+  }
+
+  /// Does direction j lead away from a zero, beyond which there may be no law?
+  bool leaves_zero(std::size_t j) const {
+    bool leaves = false;
+    std::size_t i = 0;
+    for_each_quantity(model, [&](const char*, const auto& q) { leaves |= slope[i++][j] != 0 && in_si(q) == 0; });
+    return leaves;
   }
 
   /// The scene a step away along direction j.
@@ -130,9 +138,12 @@ std::vector<std::array<double, N>> slopes_of_quantities(const Family& family, co
   return slope;
 }
 
-/// By central differences at two distances, extrapolated; nothing where the pair is captured at one of them.
+/// By central differences at two distances, extrapolated; nothing where the pair is captured at one of them, NaN where
+/// there is but one side.
 template <std::size_t N, class Model>
 std::optional<double> derivative_by_differences(const moving_scene<N, Model>& scene, std::size_t j) {
+  if (scene.leaves_zero(j))
+    return std::numeric_limits<double>::quiet_NaN();
   const double pace = scene.pace(j);
   if (pace == 0)
     return 0.;
@@ -201,6 +212,20 @@ differentiated_restitution<N> differentiate(const moving_scene<N, Model>& scene,
     }
     return found;
   } else {
+    if constexpr (Model::has_crack_law)
+      if (edge_is_static(scene.model)) { // from which it differs by a power of its speed that is below one
+        auto slope = scene.slope;
+        const auto crack = slope.begin() + std::ptrdiff_t(3 + parameter_count<decltype(Model::elastic)> +
+                                                          parameter_count<decltype(Model::adhesion)>);
+        slope.erase(crack, crack + std::ptrdiff_t(parameter_count<decltype(Model::crack)>));
+        const auto held = scene.model.with_static_edge();
+        auto found =
+            differentiate(moving_scene<N, std::remove_const_t<decltype(held)>>{held, scene.impact, slope}, options);
+        for (std::size_t j = 0; j < N; ++j)
+          if (scene.leaves_zero(j))
+            found.derivative[j] = std::numeric_limits<double>::quiet_NaN();
+        return found;
+      }
     const auto out = integrate(scene.model, scene.impact, options);
     if (out.ending != ending::separated && out.ending != ending::captured)
       throw bad_input("derivatives: the collision at " + shown(in_si(scene.impact.speed)) + " m/s ended " +
@@ -217,7 +242,9 @@ differentiated_restitution<N> differentiate(const moving_scene<N, Model>& scene,
       found.derivative = *fine;
       found.derivative_error = 0;
       for (std::size_t j = 0; j < N; ++j)
-        if (const double pace = scene.pace(j); pace > 0)
+        if (!std::isfinite((*fine)[j])) // as of a root at zero
+          found.derivative[j] = std::numeric_limits<double>::quiet_NaN();
+        else if (const double pace = scene.pace(j); pace > 0)
           found.derivative_error = std::max(found.derivative_error, std::abs((*fine)[j] - (*rough)[j]) / pace);
       by_duals = found.derivative_error <= std::max(options.tolerance, 1e-9);
     }
@@ -246,7 +273,8 @@ struct sensitive_outcome {
 
 /// Derivatives of the restitution of a normal collision with respect to the constants of the pair, every parameter of a
 /// law, and the speed, by dual numbers in one run; by differences where an edge is too fast for that, and with respect
-/// to greenwood's modulus ratio, of which it has tables. They are zero where the pair is captured.
+/// to greenwood's modulus ratio, of which it has tables. They are zero where the pair is captured, and NaN with respect
+/// to a quantity that is zero where they have no bound, such as a work of adhesion.
 /// \throws bad_input as integrate(), if the collision is not resolved, or within a millionth of the sticking speed.
 template <class Model>
 sensitive_outcome<Model> sensitivities(const Model& model, const impact& impact, const collide_options& options = {}) {

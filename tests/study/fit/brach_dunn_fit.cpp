@@ -70,5 +70,6 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused_by_name) {
   refused(v, 0.0 * f0, 0.98, 0.6, "force_per_length = 0");
   refused(v, f0, 1.1, 0.6, "material_restitution = 1.1 is outside (0, 1]");
   refused(v, f0, 0.98, 1, "restitution = 1 is outside (0, 1)");
-  refused(v, f0, 0.8, 0.9, "that much is left without damping of the rebound");
+  refused(v, f0, 0.98, 0.979, "that much is left without damping of the rebound");
+  refused(v, f0, 0.8, 0.7, "the pair sticks without any damping of the rebound");
 }

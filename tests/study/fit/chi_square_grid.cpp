@@ -51,6 +51,35 @@ BOOST_AUTO_TEST_CASE(chi_square_is_the_mean_square_deviation_of_every_collision)
       BOOST_TEST(std::abs(grid.at({i, 3, k}) - turned.at({k, i, 3})) < 1e-7);
 }
 
+BOOST_AUTO_TEST_CASE(losses_are_those_of_each_row) {
+  // What is lost to plastic flow depends on the modulus too, or the yield strength is not the last axis.
+  const auto stiffened = [](const std::array<double, 2>& p) {
+    contact_pair pair = ice.pair;
+    pair.reduced_modulus *= p[0];
+    return compose(pair, hertz{}, ice.adhesive, kuwabara_kono{1e-10 * seconds}, thornton_ning{p[1] * pascals});
+  };
+  const auto held = [](const std::array<double, 2>& p) {
+    return compose(ice.pair, hertz{}, ice.adhesive, kuwabara_kono{p[1] * seconds}, thornton_ning{p[0] * pascals});
+  };
+  const auto agrees = [](const auto& of, const std::array<grid_axis, 2>& of_axes, std::size_t collisions) {
+    const auto data = measured(of({of_axes[0].values[1], of_axes[1].values[0]}));
+    const auto grid = scan_chi_square(of, data, of_axes, {.tolerance = 1e-8});
+    BOOST_TEST(grid.collisions == collisions);
+    BOOST_TEST(grid.at({1, 0}) < 1e-15);
+    for (std::size_t i = 0; i < of_axes[0].values.size(); ++i)
+      for (std::size_t j = 0; j < of_axes[1].values.size(); ++j) {
+        double sum = 0;
+        for (const measurement& each : data)
+          sum += square(
+              collide(of({of_axes[0].values[i], of_axes[1].values[j]}), impact{each.speed}).restitution.value_or(0) -
+              each.restitution.value_or(0));
+        BOOST_TEST(std::abs(grid.at({i, j}) - sum / 12) < 1e-7);
+      }
+  };
+  agrees(stiffened, {grid_axis{"stiffening", {1, 1.5, 2}}, grid_axis{"yield_strength", {2e8, 3e8, 4e8}}}, 3 * 12);
+  agrees(held, {grid_axis{"yield_strength", {2e8, 3e8, 4e8}}, grid_axis{"bulk_time", {1e-10}}}, 3 * 12);
+}
+
 BOOST_AUTO_TEST_CASE(the_best_point_and_the_ranges) {
   const std::array<std::size_t, 3> truth{4, 2, 3};
   const auto data = measured(family({axes[0].values[4], axes[1].values[2], axes[2].values[3]}));

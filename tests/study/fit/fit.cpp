@@ -141,6 +141,64 @@ BOOST_AUTO_TEST_CASE(what_the_data_do_not_tell_is_said) {
   BOOST_TEST(said(found, "Y: the data give no upper limit"));
 }
 
+BOOST_AUTO_TEST_CASE(what_changes_nothing_leaves_the_others_as_they_are) {
+  const auto yielding = [](const std::array<double, 3>& p) {
+    return compose(ice.pair, hertz{}, jkr{p[1] * joules_per_square_metre}, kuwabara_kono{p[2] * seconds},
+                   thornton_ning{p[0] * pascals});
+  };
+  const std::array free{free_parameter{"yield_strength", 1e11, 1e13}, of_viscous[0], of_viscous[1]};
+  const auto data = measured(viscous({0.6, 2e-10}), 0.5, 8, 12, 0.01, 3);
+  const fit_result without = fit(viscous, data, of_viscous), with = fit(yielding, data, free);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto &expected = without.parameters[k], &found = with.parameters[k + 1];
+    BOOST_TEST(std::abs(found.value - expected.value) < 1e-3 * expected.standard_error);
+    BOOST_TEST(std::abs(found.standard_error / expected.standard_error - 1) < 1e-3);
+    BOOST_TEST(std::abs(found.low - expected.low) < 0.01 * expected.standard_error);
+    BOOST_TEST(std::abs(found.high - expected.high) < 0.01 * expected.standard_error);
+  }
+  BOOST_TEST(std::abs(with.correlation(1, 2) - without.correlation(0, 1)) < 1e-3);
+  BOOST_TEST(std::isinf(with.parameters[0].standard_error));
+  BOOST_TEST(std::isnan(with.correlation(0, 1)));
+  BOOST_TEST(with.parameters[0].low == 1e11);
+  BOOST_TEST(with.parameters[0].high == 1e13);
+}
+
+BOOST_AUTO_TEST_CASE(pairs_that_stuck_and_would_not_scatter_too) {
+  // e = max(0, p - 1): three rebounds fit, and thirty pairs stuck where the model, in its range, rebounds by 0.3.
+  std::vector<measurement> data;
+  for (const double e : {0.29, 0.3, 0.31})
+    data.push_back({1.0 * metres_per_second, e});
+  data.resize(33, {1.0 * metres_per_second, std::nullopt});
+  const restitution_curve curve{[&](const std::vector<double>& p, double) { return std::vector<double>(33, p[0]); }};
+  const auto found = fit_curve(curve, data, std::array{free_parameter{"e", 0.3, 0.9}});
+  BOOST_TEST(found.degrees_of_freedom == 32);
+  BOOST_TEST(std::abs(found.scatter - 0.3 * std::sqrt(30. / 32)) < 1e-3);
+  BOOST_TEST_REQUIRE(!found.warnings.empty());
+  BOOST_TEST(found.warnings[0] == "30 of the pairs that stuck bounce in the fit");
+  // As the number zero they would have passed for measured.
+  for (measurement& each : data)
+    each.restitution = each.restitution.value_or(0);
+  BOOST_TEST(fit_curve(curve, data, std::array{free_parameter{"e", 0.01, 0.9}}).warnings[0].find("30 restitutions") ==
+             0u);
+  // Pairs that stuck alone give a limit, and nothing scatters.
+  std::vector<measurement> stuck(3, {1.0 * metres_per_second, std::nullopt, 0.01});
+  const restitution_curve threshold{
+      [&](const std::vector<double>& p, double) { return std::vector<double>(3, std::max(0., p[0] - 1)); }};
+  const auto limit = fit_curve(threshold, stuck, std::array{free_parameter{"p", 0.1, 10}});
+  BOOST_TEST(limit.degrees_of_freedom == 0);
+  BOOST_TEST(std::abs(limit.parameters[0].high - (1 + 0.01 * 1.95996 / std::sqrt(3.))) < 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(a_wide_range_from_zero_has_its_end_at_zero) {
+  const auto family = [](const std::array<double, 1>& p) {
+    return compose(ice.pair, hertz{}, kuwabara_kono{p[0] * seconds});
+  };
+  const auto found = fit(family, measured(family({2e-10}), 0.5, 40, 16, 0.001, 2),
+                         std::array{free_parameter{"bulk_time", 0, 1e-6}}); // of which it is a five-thousandth
+  BOOST_TEST(found.parameters[0].low > 1.9e-10);
+  BOOST_TEST(found.warnings.empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_model_that_does_not_describe_the_data_is_pointed_out) {
   const auto hertzian = [](const std::array<double, 1>& p) {
     return compose(ice.pair, hertz{}, kuwabara_kono{p[0] * seconds});

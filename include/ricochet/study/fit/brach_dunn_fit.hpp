@@ -63,6 +63,10 @@ inline brach_dunn_fit fit_brach_dunn(const contact_pair& pair, speed v, energy_p
     return out.restitution.value_or(0) - restitution;
   };
   const double without = with(0);
+  if (without <= -restitution)
+    throw bad_input("force_per_length = " + shown(in_si(force_per_length)) +
+                    " N/m: the pair sticks without any damping of the rebound, where restitution = " +
+                    shown(restitution) + " was measured");
   if (without < -1e-9)
     throw bad_input("restitution = " + shown(restitution) + " is outside (0, " + shown(without + restitution) +
                     "]: that much is left without damping of the rebound");

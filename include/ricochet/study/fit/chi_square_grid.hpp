@@ -46,19 +46,23 @@ struct chi_square_grid {
 
 namespace detail {
 
-/// Do these models differ in their law of plastic flow alone, the loss of which is added after the motion is known?
+/// What the motion of a model depends on, and what the loss does that is added after it is known.
 template <class Model>
-bool differ_in_plastic_loss_alone([[maybe_unused]] const Model& one, [[maybe_unused]] const Model& other) {
-  if constexpr (Model::yields) {
-    std::vector<double> a, b;
-    for_each_quantity(one, [&](const char*, const auto& q) { a.push_back(in_si(q)); });
-    for_each_quantity(other, [&](const char*, const auto& q) { b.push_back(in_si(q)); });
-    const auto shared = std::ptrdiff_t(quantity_count<elastic_part<Model>>);
-    return std::equal(a.begin(), a.begin() + shared, b.begin());
-  } else {
-    return false;
+struct motion_and_loss {
+  std::array<double, quantity_count<elastic_part<Model>>> motion;
+  std::array<double, 3 + quantity_count<Model> - quantity_count<elastic_part<Model>>> loss; ///< the pair, and the law
+
+  explicit motion_and_loss(const Model& model) {
+    std::size_t i = 0;
+    for_each_quantity(model, [&](const char*, const auto& q) {
+      if (i < motion.size())
+        motion[i] = in_si(q);
+      if (i < 3 || i >= motion.size())
+        loss[i < 3 ? i : 3 + i - motion.size()] = in_si(q);
+      ++i;
+    });
   }
-}
+};
 
 template <std::size_t N, class Family>
 class grid_scan {
@@ -88,12 +92,9 @@ public:
   chi_square_grid<N> solve() {
     const auto& last = grid_.axes.back().values;
     const std::size_t rows = grid_.chi_square.size() / last.size();
-    const bool added = differ_in_plastic_loss_alone(model_of(0, 0), model_of(0, last.size() - 1));
+    const auto [added, alike] = losses_added(rows);
     motions_of_row_ = added ? 1 : last.size();
-    std::vector<std::vector<double>> losses(added ? last.size() : 0, std::vector<double>(data_.size()));
-    if constexpr (model_type::yields)
-      for (std::size_t j = 0; j < losses.size(); ++j)
-        losses[j] = losses_of(model_of(0, j));
+    const std::vector<std::vector<double>> all_losses = added && alike ? losses_of_row(0) : no_losses();
 
     // So many speeds at once as memory allows.
     const std::size_t together = std::max<std::size_t>(1, 4'000'000 / (rows * motions_of_row_));
@@ -101,7 +102,9 @@ public:
       const std::size_t count = std::min(together, data_.size() - first);
       const grid_filling left = energies_left(first, count, added);
       share(rows, 8, options_.threads, {}, [&](std::size_t from, std::size_t to) {
-        for (std::size_t row = from; row < to; ++row)
+        for (std::size_t row = from; row < to; ++row) {
+          const std::vector<std::vector<double>> own = added && !alike ? losses_of_row(row) : no_losses();
+          const std::vector<std::vector<double>>& losses = alike ? all_losses : own;
           for (std::size_t j = 0; j < last.size(); ++j)
             for (std::size_t i = 0; i < count; ++i) {
               const double e_squared = left.at(i, row * motions_of_row_ + (added ? 0 : j));
@@ -109,6 +112,7 @@ public:
               grid_.chi_square[row * last.size() + j] +=
                   square(std::sqrt(std::max(e_squared - loss, 0.)) - measured_[first + i]) / double(data_.size());
             }
+        }
       });
     }
     judge();
@@ -127,11 +131,38 @@ private:
     return family_(p);
   }
 
-  std::vector<double> losses_of(const model_type& model) const requires(model_type::yields) {
-    std::vector<double> loss;
-    for (const measurement& each : data_)
-      loss.push_back(model.plasticity.loss(model.pair, each.speed));
-    return loss;
+  static std::vector<std::vector<double>> no_losses() { return {}; }
+
+  struct sharing {
+    bool added; ///< models of a row differ by a loss alone that is added after the motion is known
+    bool alike; ///< the losses of all rows are
+  };
+  sharing losses_added([[maybe_unused]] std::size_t rows) const {
+    if constexpr (model_type::yields) {
+      const std::size_t last = grid_.axes.back().values.size() - 1;
+      const motion_and_loss<model_type> first(model_of(0, 0)), end(model_of(0, last));
+      sharing found{true, true};
+      for (std::size_t row = 0; row < rows; ++row) {
+        const motion_and_loss<model_type> low(model_of(row, 0)), high(model_of(row, last));
+        found.added &= low.motion == high.motion;
+        found.alike &= low.loss == first.loss && high.loss == end.loss;
+      }
+      return found;
+    } else {
+      return {false, true};
+    }
+  }
+
+  /// For each value of the last axis, of each measurement.
+  std::vector<std::vector<double>> losses_of_row([[maybe_unused]] std::size_t row) const {
+    std::vector<std::vector<double>> losses(grid_.axes.back().values.size());
+    if constexpr (model_type::yields)
+      for (std::size_t j = 0; j < losses.size(); ++j) {
+        const model_type model = model_of(row, j);
+        for (const measurement& each : data_)
+          losses[j].push_back(model.plasticity.loss(model.pair, each.speed));
+      }
+    return losses;
   }
 
   /// e^2 of `count` measured speeds from `first` on, for all motions, without plastic loss if that is added later.
@@ -239,7 +270,8 @@ private:
 } // namespace detail
 
 /// chi^2 of a family of models, which makes one from an std::array of N numbers, on a grid of these numbers: the mean
-/// square of measured minus computed restitution, that of pairs that stick being zero [Krijt 2013 (31)].
+/// square of measured minus computed restitution, that of pairs that stick being zero [Krijt 2013 (31)]. All
+/// measurements count alike: what is known of their errors is not looked at.
 ///
 /// All collisions run as batches. Where the last axis changes a law alone whose loss is added after the motion is known
 /// (thornton_ning), the motions are computed once for all its values. Along axes of more than ten values polynomials of

@@ -35,13 +35,13 @@ public:
   Eigen::MatrixXd derivatives(const std::vector<double>& parameters) const {
     constexpr double tolerance = 1e-4; // a search needs no more, nor do standard errors
     const numbers p = as_array(parameters);
-    const model_type model = family_(p);
     numbers step, inside;
     for (std::size_t k = 0; k < N; ++k) {
       const auto& [name, low, high] = free_[k];
       step[k] = std::min(1e-3 * (low > 0 ? p[k] : high - low), (high - low) / 8);
       inside[k] = std::clamp(p[k], low + 2 * step[k], high - 2 * step[k]);
     }
+    const model_type model = family_(inside); // at zero there may be no derivative
     const std::vector<numbers> slope = slopes_of_quantities(family_, inside, step);
     Eigen::MatrixXd found(data_.size(), N);
     share(data_.size(), 2, threads_, {}, [&](std::size_t first, std::size_t last) {

@@ -21,12 +21,12 @@ struct fitted_parameter {
 
 struct fit_result {
   std::vector<fitted_parameter> parameters;
-  Eigen::MatrixXd correlation; ///< no numbers where the data do not tell all parameters
+  Eigen::MatrixXd correlation; ///< no numbers of parameters that the data do not tell
   double chi_square; ///< sum of squares of the residuals over their errors, or over `scatter` where none are known
   double scatter;    ///< standard deviation of one restitution, estimated from the residuals; 1 where errors are known
-  int degrees_of_freedom;        ///< measured restitutions, and, of known errors, pairs that stuck and would not, less
-                                 ///< parameters: pairs that stuck, and would, do not scatter
-  std::vector<double> residuals; ///< measured minus fitted restitution; of pairs that stuck and would, zero
+  int degrees_of_freedom; ///< measured restitutions, and pairs that stuck and would not, less parameters, if that
+                          ///< is above zero: pairs that stuck, and would, do not scatter
+  std::vector<double> residuals;     ///< measured minus fitted restitution; of pairs that stuck and would, zero
   std::vector<std::string> warnings; ///< what the data do not tell
   std::size_t collisions;            ///< that were computed
 };
@@ -76,7 +76,9 @@ private:
 
   /// At which end of the range searched is the best fit, if it is?
   std::optional<int> end_of(std::size_t k) const {
-    return best_.x[k] < 1e-3 ? std::optional(0) : best_.x[k] > 1 - 1e-3 ? std::optional(1) : std::nullopt;
+    const int end = best_.x[k] < 0.5 ? 0 : 1;
+    const double distance = std::abs(best_.x[k] - end);
+    return distance < 1e-3 && !(distance > 3 * standard_errors_[k]) ? std::optional(end) : std::nullopt;
   }
 
   /// The search may have ended in the wrong place.
@@ -97,18 +99,27 @@ private:
   void judge() {
     result_ = {};
     const std::vector<double> p = search_.at(best_.x);
-    result_.degrees_of_freedom = int(search_.bounced()) - int(p.size());
+    int would_bounce = 0;
     const std::vector<double> e = search_.restitutions(p);
     for (std::size_t i = 0; i < data_.size(); ++i) {
       if (std::isnan(e[i]))
         throw bad_input("fit: the search ended where the collision at " + shown(in_si(data_[i].speed)) +
                         " m/s cannot be resolved; narrow the ranges of the free parameters");
       result_.residuals.push_back(data_[i].restitution.value_or(0) - e[i]);
-      result_.degrees_of_freedom += search_.errors_known() && !data_[i].restitution && e[i] > 0;
+      would_bounce += !data_[i].restitution && e[i] > 0;
     }
+    result_.degrees_of_freedom = std::max(0, int(search_.bounced()) + would_bounce - int(p.size()));
     result_.scatter = search_.errors_known() ? 1 : std::sqrt(best_.square_sum / result_.degrees_of_freedom);
     result_.chi_square = search_.errors_known() ? best_.square_sum : result_.degrees_of_freedom;
     judge_distance();
+    if (!search_.errors_known() && would_bounce > 0)
+      result_.warnings.push_back(std::to_string(would_bounce) + " of the pairs that stuck bounce in the fit");
+    const auto zeros =
+        std::count_if(data_.begin(), data_.end(), [](const auto& each) { return each.restitution == 0.; });
+    if (zeros > 0)
+      result_.warnings.push_back(std::to_string(zeros) +
+                                 " restitutions are given as the number zero: a pair that stuck "
+                                 "is to be given as captured, or it passes for a precise one");
     judge_parameters(p);
   }
 
@@ -128,28 +139,32 @@ private:
   void judge_parameters(const std::vector<double>& p) {
     const auto n = Eigen::Index(p.size());
     const Eigen::MatrixXd jacobian = search_.derivatives(best_.x);
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed(jacobian);
-    decomposed.setThreshold(1e-7);
-    const bool told = decomposed.rank() == n;
+    std::vector<Eigen::Index> telling; // parameters that change a restitution
+    for (Eigen::Index k = 0; k < n; ++k)
+      if (jacobian.col(k).norm() > 0)
+        telling.push_back(k);
     Eigen::MatrixXd covariance = // of restitutions that scatter by one
         Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::infinity());
-    if (told) {
-      const Eigen::MatrixXd inverse = decomposed.solve(Eigen::MatrixXd::Identity(jacobian.rows(), jacobian.rows()));
-      covariance = inverse * inverse.transpose();
-    }
-    result_.correlation = told ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))
-                               : Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::quiet_NaN());
-    if (!told)
+    result_.correlation = Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::quiet_NaN());
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposed;
+    decomposed.setThreshold(1e-7);
+    if (!telling.empty())
+      decomposed.compute(jacobian(Eigen::all, telling));
+    if (const auto rank = telling.empty() ? 0 : decomposed.rank(); rank < Eigen::Index(telling.size())) {
       result_.warnings.push_back("the data do not tell all parameters: of " + std::to_string(n) + " only " +
-                                 std::to_string(decomposed.rank()) + " can be known, or so many combinations of them");
-    for (Eigen::Index k = 0; told && k < n; ++k)
-      for (Eigen::Index l = 0; l < k; ++l) {
-        const double c = covariance(k, l) / std::sqrt(covariance(k, k) * covariance(l, l));
-        result_.correlation(k, l) = result_.correlation(l, k) = c;
-        if (std::abs(c) > 0.99)
-          result_.warnings.push_back(free_[std::size_t(l)].name + " and " + free_[std::size_t(k)].name +
-                                     " can hardly be told apart: their correlation is " + rounded(c));
-      }
+                                 std::to_string(rank) + " can be known, or so many combinations of them");
+    } else if (rank > 0) {
+      const Eigen::MatrixXd inverse = decomposed.solve(Eigen::MatrixXd::Identity(jacobian.rows(), jacobian.rows()));
+      covariance(telling, telling) = inverse * inverse.transpose();
+      for (const Eigen::Index k : telling)
+        for (const Eigen::Index l : telling) {
+          const double c = k == l ? 1 : covariance(k, l) / std::sqrt(covariance(k, k) * covariance(l, l));
+          result_.correlation(k, l) = c;
+          if (l < k && std::abs(c) > 0.99)
+            result_.warnings.push_back(free_[std::size_t(l)].name + " and " + free_[std::size_t(k)].name +
+                                       " can hardly be told apart: their correlation is " + rounded(c));
+        }
+    }
     for (std::size_t k = 0; k < p.size(); ++k) {
       const auto& [name, low, high] = free_[k];
       standard_errors_.resize(p.size()); // of positions
@@ -157,7 +172,7 @@ private:
       result_.parameters.push_back({name, p[k], standard_errors_[k] * search_.slope_of_position(k, p), low, high});
       const auto end = end_of(k);
       if (jacobian.col(Eigen::Index(k)).norm() == 0)
-        result_.warnings.push_back(name + " changes none of the restitutions measured");
+        result_.warnings.push_back(name + " changes none of these restitutions next to the best fit");
       else if (end)
         result_.warnings.push_back(name + ": the best fit is at the " + (*end == 0 ? "lower" : "upper") +
                                    " end of the range searched, " + shown(*end == 0 ? low : high));
@@ -192,17 +207,21 @@ private:
   void seek_end_of_interval(std::size_t k, double side) {
     using boost::math::tools::toms748_solve;
     const double allowed_excess = allowed();
-    search::place near = best_; // the others move along with it
+    search::place within = best_; // the others follow from the last place in the interval: far outside they may be lost
     const auto excess = [&](double position) {
-      near.x[k] = position;
-      near = search_.minimised(near.x, k, search::along_profile);
-      better_ = std::min(better_, near);
-      return near.square_sum - best_.square_sum - allowed_excess;
+      search::numbers x = within.x;
+      x[k] = position;
+      const search::place found = search_.minimised(x, k, search::along_profile);
+      better_ = std::min(better_, found);
+      const double beyond = found.square_sum - best_.square_sum - allowed_excess;
+      if (!(beyond > 0))
+        within = found;
+      return beyond;
     };
     auto& [name, value, standard_error, low, high] = result_.parameters[k];
     const double end = side < 0 ? 0 : 1;
     double inside = best_.x[k], value_inside = -allowed_excess;
-    double step = side * std::clamp(2 * standard_errors_[k], 1e-9, 0.25);
+    double step = side * (std::isfinite(standard_errors_[k]) ? std::clamp(2 * standard_errors_[k], 1e-9, 0.25) : 0.02);
     for (;; step *= 2) {
       const double outside = side * (inside + step - end) < 0 ? inside + step : end;
       const double value_outside = excess(outside);

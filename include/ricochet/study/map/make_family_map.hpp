@@ -353,7 +353,8 @@ private:
 
 /// e(v; p) of the models that `family(p)` gives, between two values of p > 0 and two speeds, to a largest error that is
 /// checked at 26 places in each patch, eight of them at random; within a millionth of the sticking speed it is that of
-/// e^2. The family must have a sticking speed at every p, wherever it lies, or at none, and no kink.
+/// e^2. The family must have a sticking speed at every p, wherever it lies, or at none, and no kink. It is called by
+/// several threads at once.
 /// \throws bad_input if a range is empty, if max_error is outside [1e-9, 1e-2] or takes too many patches, if only some
 /// of the family stick, or if a collision cannot be resolved.
 template <class Family>
