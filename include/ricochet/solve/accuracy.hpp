@@ -32,6 +32,9 @@ public:
         fine_(model, tolerance_, budget), rough_(coarse_.solve(speed, slip, spin)),
         out_(fine_.solve(speed, slip, spin)) {
     roundings_ = 16 + static_cast<real>(out_.evaluations / 50);
+    if (out_.restitution &&
+        value_of(*out_.restitution) > real(1)) // losses never are negative: what exceeds one is error
+      *out_.restitution -= T(value_of(*out_.restitution) - real(1));
     if (ended()) {
       judge();
       if constexpr (Model::has_friction)
@@ -50,13 +53,12 @@ public:
   /// Is the energy's error round-off for the most part, and all that is not met? Closer solutions then tell no more.
   bool limited() const { return limited_ && !(unmet() > real(out_.error_estimate)); }
 
-  /// The error of the restitution, or, if that is more, what the ledger lacks beyond round-off, or by how much a loss in
-  /// it is negative.
+  /// The error of the restitution, or, if that is more, what the ledger lacks beyond round-off, or by how much a loss
+  /// in it is negative.
   real unmet() const {
     real unmet = real(out_.error_estimate);
     if constexpr (Model::asked.ledger)
-      unmet = max<real>({unmet,
-                         abs(value_of(out_.ledger_residual)) - roundings_ * std::numeric_limits<real>::epsilon(),
+      unmet = max<real>({unmet, abs(value_of(out_.ledger_residual)) - roundings_ * std::numeric_limits<real>::epsilon(),
                          -value_of(out_.crack_loss), -value_of(out_.bulk_loss)});
     if constexpr (Model::peels)
       unmet = max<real>(unmet, abs(value_of(out_.friction_loss + out_.peeling_loss) -
@@ -104,8 +106,6 @@ private:
     const real energy_error = of_motion + round_off();
     limited_ = of_motion < round_off() / 4;
     if (out_.restitution) {
-      if (value_of(*out_.restitution) > real(1)) // losses never are negative: what exceeds one is error
-        *out_.restitution -= T(value_of(*out_.restitution) - real(1));
       const real error = error_of_restitution(first_leg, energy_error);
       out_.error_estimate = static_cast<double>(error);
       out_.ending_is_certain = rough_.ending == out_.ending && value_of(*out_.restitution) > 2 * error;
