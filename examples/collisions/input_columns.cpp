@@ -105,6 +105,11 @@ std::string input_help() {
   return all;
 }
 
+std::string hint_for(const std::string& name) {
+  const auto meant = meant_by(name, header(csv_record{}));
+  return meant ? fmt::format("; did you mean {}?", *meant) : "";
+}
+
 std::vector<std::string> notes_on_misspelt(const header& header) {
   std::vector<std::string> notes;
   for (const std::string& cell : header.cells())

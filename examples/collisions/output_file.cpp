@@ -129,7 +129,8 @@ bool output_file::is_terminal() const { return file_ && isatty(fileno(file_)) ==
 
 void output_file::fail(const std::string& path, const char* what) const {
   const std::string reason = std::strerror(errno);
-  const bool kept = file_ && !part_.empty();
+  std::error_code ignored;
+  const bool kept = !part_.empty() && std::filesystem::exists(part_, ignored);
   throw file_error(fmt::format("{} cannot be {}: {}{}", path.empty() ? "standard output" : path, what, reason,
                                kept ? "; " + way_on(part_) : ""));
 }

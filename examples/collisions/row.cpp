@@ -1,4 +1,5 @@
 #include "row.hpp"
+#include "input_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,8 @@ header::header(const csv_record& record) : cells_(record.cells) {
   }
 }
 
-row::row(const header& header, const csv_record& record) : header_(header), record_(record) {
+row::row(const header& header, const csv_record& record)
+    : header_(header), record_(record), read_(record.cells.size()) {
   if (!record.error.empty()) {
     const std::size_t at = record.bad_cell.value_or(header.cells().size());
     throw row_error(at < header.cells().size() ? fmt::format("column {}, value {}", quoted(trimmed(header.cells()[at])),
@@ -45,6 +47,15 @@ std::string row::text(const std::string& column, std::string_view needed_by) con
 
 std::string row::place(const std::string& column) const {
   return header_.has(column) ? fmt::format("column {}, value {}", column, quoted(cell(column))) : "column " + column;
+}
+
+std::vector<std::string> row::unread() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < read_.size(); ++i)
+    if (const std::string name = trimmed(header_.cells()[i]);
+        !read_[i] && unit_of(name) && !trimmed(record_.cells[i]).empty() && name != "density_2") // a wall has none
+      names.push_back(name);
+  return names;
 }
 
 double row::number(const std::string& column, std::string_view needed_by) const {

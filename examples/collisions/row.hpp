@@ -67,12 +67,20 @@ public:
   /// `column radius_1, value "-1"`, for messages.
   std::string place(const std::string& column) const;
 
+  /// Input columns that are not blank, and that nobody has asked for.
+  std::vector<std::string> unread() const;
+
 private:
   double number(const std::string& column, std::string_view needed_by) const;
-  const std::string& cell(const std::string& column) const { return record_.cells[header_.place_of(column)]; }
+  const std::string& cell(const std::string& column) const {
+    const std::size_t place = header_.place_of(column);
+    read_[place] = true;
+    return record_.cells[place];
+  }
 
   const header& header_;
   const csv_record& record_;
+  mutable std::vector<bool> read_;
 };
 
 } // namespace collisions

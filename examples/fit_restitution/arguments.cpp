@@ -74,7 +74,10 @@ ricochet::free_parameter free_of(const std::string& text) {
   if (colon == std::string::npos)
     throw ricochet::bad_input(fmt::format("--free {} is not of the form {}", text, form));
   const std::string option = "--free " + column;
-  return {column, number_in(limits.substr(0, colon), option), number_in(limits.substr(colon + 1), option)};
+  const double low = number_in(limits.substr(0, colon), option), high = number_in(limits.substr(colon + 1), option);
+  if (!(low < high))
+    throw ricochet::bad_input(fmt::format("{}: {} is not below {}", option, low, high));
+  return {column, low, high};
 }
 
 tie tie_of(const std::string& text) {
@@ -124,7 +127,8 @@ std::optional<arguments> read_arguments(int argc, const char* const* argv, int& 
   app.add_option("--confidence", given.options.confidence, "of the intervals, below 1; 0: none")
       ->capture_default_str()
       ->type_name("NUMBER");
-  app.add_option("--starts", given.options.starts, "points of the ranges that are looked at before the best are followed")
+  app.add_option("--starts", given.options.starts,
+                 "points of the ranges that are looked at before the best are followed")
       ->capture_default_str()
       ->type_name("NUMBER");
   app.add_option("--tolerance", given.options.tolerance, "error of each restitution computed, 1e-12 to 1e-1")
@@ -153,13 +157,25 @@ std::optional<arguments> read_arguments(int argc, const char* const* argv, int& 
       given.ties.push_back(tie_of(each));
       in_file.erase(given.ties.back().column);
     }
-    for (const std::string& each : set)
-      if (const auto added = given.scene.insert(assignment(each, "--set", "COLUMN=VALUE")); !added.second)
+    for (const std::string& each : set) {
+      const auto added = given.scene.insert(assignment(each, "--set", "COLUMN=VALUE"));
+      if (!added.second)
         throw ricochet::bad_input(fmt::format("{} is set twice by --set", added.first->first));
+      given.set.push_back(added.first->first);
+    }
     given.scene.merge(in_file); // those set stay as they are
     if (output.ends_with('/') || std::filesystem::is_directory(output))
       throw ricochet::bad_input(fmt::format("-o {} is a folder: add the beginning of the files' names, as in {}/fit",
-                                            output, output.ends_with('/') ? output.substr(0, output.size() - 1) : output));
+                                            output,
+                                            output.ends_with('/') ? output.substr(0, output.size() - 1) : output));
+    if (!output.empty())
+      for (const char* ending : {".json", "_points.csv", "_curve.csv", ".gp", ".svg", ".png"})
+        for (const std::string& input : {given.data, scene})
+          if (std::error_code ignored; std::filesystem::equivalent(output + ending, input, ignored))
+            throw ricochet::bad_input(fmt::format("-o {} would overwrite {}", output, input));
+    ricochet::require("--tolerance", given.options.tolerance, ricochet::tolerance_range);
+    ricochet::require("--starts", double(given.options.starts), ricochet::range{.low = 1});
+    ricochet::require("--confidence", given.options.confidence, ricochet::range{.high = 1});
   } catch (const CLI::ParseError& ended) {
     if (ended.get_exit_code() != 0)
       return wrong(std::string(ended.what()) + "; see fit_restitution --help");

@@ -19,8 +19,9 @@ struct tie {
 using columns = std::map<std::string, std::string>;
 
 struct arguments {
-  std::string data; ///< file of measurements
-  columns scene;    ///< all other columns that are given
+  std::string data;             ///< file of measurements
+  columns scene;                ///< all other columns that are given
+  std::vector<std::string> set; ///< those of them that --set gives
   std::vector<ricochet::free_parameter> free;
   std::vector<tie> ties;
   std::filesystem::path output; ///< beginning of the names of all files written

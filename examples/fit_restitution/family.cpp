@@ -21,8 +21,8 @@ family::family(ricochet::measured_curve data, const arguments& given) : data_(st
   std::map<std::string, std::string> from; // who sets a column
   const auto sets = [&](const std::string& column, const std::string& who) {
     if (!collisions::unit_of(column))
-      throw ricochet::bad_input(
-          fmt::format("{}: there is no column {}; collisions --help lists those there are", who, column));
+      throw ricochet::bad_input(fmt::format("{}: there is no column {}{}; collisions --help lists those there are", who,
+                                            column, collisions::hint_for(column)));
     if (const auto [before, is_new] = from.emplace(column, who); !is_new)
       throw ricochet::bad_input(fmt::format("{} is set by {} and by {}", column, before->second, who));
   };
@@ -44,16 +44,24 @@ family::family(ricochet::measured_curve data, const arguments& given) : data_(st
   std::vector<double> middle;
   for (const auto& [name, low, high] : given_.free)
     middle.push_back(low > 0 ? low * std::sqrt(high / low) : low + (high - low) / 2);
+  std::map<std::string, std::size_t> unread;
   for (std::size_t i = 0; i < data_.data.size(); ++i)
-    (void)scene_of(columns_of(i, middle), i);
-}
-
-std::vector<std::string> family::unused_columns() const {
-  std::vector<std::string> unused;
+    (void)scene_of(columns_of(i, middle), i, &unread);
+  for (const auto& [column, rows] : unread) {
+    if (rows < data_.data.size())
+      continue;
+    const std::string& who = from.at(column);
+    if (who == "--free" || who == "--tie" ||
+        std::find(given_.set.begin(), given_.set.end(), column) != given_.set.end())
+      throw ricochet::bad_input(fmt::format("{} is given, but no law of the model takes it: {}", column,
+                                            given_.scene.contains("model") ? given_.scene.at("model") : given_.data));
+    notes_.push_back(fmt::format("{} in {} changes nothing: no law of the model takes it", column,
+                                 who == given_.data ? who : "the scene"));
+  }
   for (const std::string& column : data_.columns)
     if (!collisions::unit_of(column) && !is_measured(column))
-      unused.push_back(column);
-  return unused;
+      notes_.push_back(fmt::format("not used of {}: {}{}; --help says which columns are", given_.data, column,
+                                   collisions::hint_for(column)));
 }
 
 bool family::alike() const {
@@ -86,7 +94,8 @@ std::vector<std::pair<std::string, double>> family::tied(const std::vector<doubl
   return values;
 }
 
-collisions::scene family::scene_of(const columns& all, std::size_t measurement) const {
+collisions::scene family::scene_of(const columns& all, std::size_t measurement,
+                                   std::map<std::string, std::size_t>* unread) const {
   collisions::csv_record names, cells;
   for (const auto& [name, cell] : all) {
     names.cells.push_back(name);
@@ -94,10 +103,15 @@ collisions::scene family::scene_of(const columns& all, std::size_t measurement) 
   }
   try {
     const collisions::header header(names);
-    return reader_.read(collisions::row(header, cells));
+    const collisions::row row(header, cells);
+    const collisions::scene scene = reader_.read(row);
+    if (unread)
+      for (const std::string& column : row.unread())
+        ++(*unread)[column];
+    return scene;
   } catch (const collisions::missing_column& missing) {
-    throw ricochet::bad_input(fmt::format("{}: {}; give it with --set or --scene, or in {}", missing.place,
-                                          missing.what(), given_.data));
+    throw ricochet::bad_input(
+        fmt::format("{}: {}; give it with --set or --scene, or in {}", missing.place, missing.what(), given_.data));
   } catch (const collisions::row_error& refused) {
     throw ricochet::bad_input(fmt::format("the collision of {}, line {}{}{}: {}", given_.data, data_.lines[measurement],
                                           refused.place.empty() ? "" : ", ", refused.place, refused.what()));

@@ -26,8 +26,8 @@ int main(int argc, char** argv) {
     say(refused.what());
     return 2;
   }
-  if (const auto unused = collisions->unused_columns(); !unused.empty())
-    say(fmt::format("note: not used of {}: {}; --help says which columns are", given->data, fmt::join(unused, ", ")));
+  for (const std::string& note : collisions->notes())
+    say("note: " + note);
   try {
     auto found = ricochet::fit_curve(
         {[&](const std::vector<double>& p, double tolerance) { return collisions->restitutions(p, tolerance); }},

@@ -95,8 +95,8 @@ std::string tics(const ricochet::measured_curve& data) {
   const auto slower = [](const auto& a, const auto& b) { return a.speed < b.speed; };
   const auto [low, high] = std::minmax_element(data.data.begin(), data.data.end(), slower);
   const double first = std::log10(ricochet::in_si(low->speed)), last = std::log10(ricochet::in_si(high->speed));
-  const std::vector<double> steps = last - first < 0.7 ? std::vector<double>{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8}
-                                                       : std::vector<double>{1, 2, 5};
+  const std::vector<double> steps =
+      last - first < 0.7 ? std::vector<double>{1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8} : std::vector<double>{1, 2, 5};
   std::string all;
   for (int decade = int(std::floor(first)) - 1; decade <= last + 1; ++decade)
     for (const double step : steps)
@@ -114,7 +114,8 @@ std::string figure_script(const arguments& given, const family& family) {
   const auto columns = [&](const char* value) {
     return fmt::format("using 'speed':'{}'{}", value, errors ? ":'error'" : "");
   };
-  std::string script = fmt::format(R"(# {}
+  std::string script =
+      fmt::format(R"(# {}
 points = {}
 curve = {}
 blue = '#0072b2'; red = '#d55e00'
@@ -136,12 +137,12 @@ do for [format in 'svg png'] {{
   set xtics ({})
   set lmargin at screen 0.11
   set rmargin at screen 0.97
-  set tmargin at screen 0.93
+  set tmargin at screen 0.88
   set bmargin at screen 0.38
   set yrange [{}:*]
   set ylabel 'coefficient of restitution'
-  set key box lc rgb '#bbbbbb' opaque bottom right
-  set title {} noenhanced
+  set key horizontal center at screen 0.54, 0.905 samplen 2
+  set title {} noenhanced offset 0,1.4
   stats curve using 'speed' nooutput
   set xrange [STATS_min:STATS_max]
   plot curve using 'speed':'restitution' with lines lw 2.5 lc rgb blue title {}, \
@@ -159,14 +160,13 @@ do for [format in 'svg png'] {{
   unset multiplot
 }}
 )",
-                                   given.command, in_quotes(prefix + "_points.csv"), in_quotes(prefix + "_curve.csv"),
-                                   in_quotes(prefix + ".svg"), in_quotes(prefix + ".png"), tics(data),
-                                   far_from_zero ? "*" : "0", in_quotes(model_of(given)),
-                                   in_quotes("fitted" + of_which(family)), columns("measured"), bars,
-                                   captured ? ", \\\n       points using 'speed':'captured' with points pt 6 ps 1 lc rgb "
-                                              "red title 'measured: captured'"
-                                            : "",
-                                   columns("measured_minus_fitted"), bars);
+                  given.command, in_quotes(prefix + "_points.csv"), in_quotes(prefix + "_curve.csv"),
+                  in_quotes(prefix + ".svg"), in_quotes(prefix + ".png"), tics(data), far_from_zero ? "*" : "0",
+                  in_quotes(model_of(given)), in_quotes("fitted" + of_which(family)), columns("measured"), bars,
+                  captured ? ", \\\n       points using 'speed':(column('captured') == 1 ? 0 : NaN) with points "
+                             "pt 6 ps 1.4 lw 1.5 lc rgb red title 'measured: captured'"
+                           : "",
+                  columns("measured_minus_fitted"), bars);
   return script;
 }
 
@@ -228,14 +228,14 @@ std::vector<std::string> write(const arguments& given, const family& family, con
   ricochet::table points(written[1], given.command, "measured and fitted restitution",
                          {{"speed", "m/s"},
                           {"measured", "1"},
-                          {"captured", "0 if it was"},
+                          {"captured", "1 or 0"},
                           {"error", "1"},
                           {"fitted", "1"},
                           {"measured_minus_fitted", "1"}});
   for (std::size_t i = 0; i < data.data.size(); ++i) {
     const auto& m = data.data[i];
     const double v = ricochet::in_si(m.speed), e = m.restitution.value_or(0);
-    points.row({v, m.restitution.value_or(none), m.restitution ? none : 0, m.error > 0 ? m.error : none,
+    points.row({v, m.restitution.value_or(none), m.restitution ? 0. : 1., m.error > 0 ? m.error : none,
                 e - found.residuals[i], found.residuals[i]});
     slowest = std::min(slowest, v);
     fastest = std::max(fastest, v);
@@ -248,7 +248,8 @@ std::vector<std::string> write(const arguments& given, const family& family, con
        ricochet::logarithmic_speeds(slowest / 1.3 * metres_per_second, fastest * 1.3 * metres_per_second, 241))
     speeds.push_back(ricochet::in_si(v));
   const std::vector<double> e = family.restitutions(values_of(found), 1e-6, speeds);
-  ricochet::table curve(written[2], given.command, "fitted restitution of " + model_of(given) + of_which(family) + "; 0: captured",
+  ricochet::table curve(written[2], given.command,
+                        "fitted restitution of " + model_of(given) + of_which(family) + "; 0: captured",
                         {{"speed", "m/s"}, {"restitution", "1"}});
   for (std::size_t i = 0; i < speeds.size(); ++i)
     curve.row({speeds[i], e[i]});

@@ -562,6 +562,7 @@ solve "$work"
 refused "a directory" "is a directory"
 one "$(ice hertz)" -o "$work/nowhere/out.csv"
 refused "output in no directory" "cannot be made"
+check "... of which nothing is kept" all '! says "are kept in"'
 if [ -w /dev/full ]; then
   "$program" < <(echo "$names"; ice hertz) >/dev/full 2>"$work/err"
   status=$?

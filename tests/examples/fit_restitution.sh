@@ -74,8 +74,14 @@ refused 2 "--free is required" "${glass[@]}"
 refused 2 "--free zeta_a=1 is not of the form COLUMN=LOW:HIGH" "${glass[@]}" --free zeta_a=1
 refused 2 "--free zeta_a: \"x\" is not a number" "${glass[@]}" --free zeta_a=x:2
 refused 2 "--tie zeta_a=zeta_h is not of the form COLUMN=FACTOR*COLUMN" "${glass[@]}" --free zeta_h=1:2 --tie zeta_a=zeta_h
-refused 1 "high end of zeta_a = 1 is outside (10, inf)" "${glass[@]}" --free zeta_a=10:1
-refused 2 "there is no column zeta_b" "${glass[@]}" --free zeta_b=1:10
+refused 2 "--free zeta_a: 10 is not below 1" "${glass[@]}" --free zeta_a=10:1
+refused 2 "--confidence = 95 is outside [0, 1)" "${glass[@]}" --free zeta_a=1:10 --confidence 95
+refused 2 "there is no column zeta_b; did you mean zeta_a?" "${glass[@]}" --free zeta_b=1:10
+refused 2 "yield_strength is given, but no law of the model takes it: hertz+line_force+hunt_crossley" "${glass[@]}" \
+  --free zeta_a=1:10 --set yield_strength=1e9
+cp "$work/glass.csv" "$work/own_points.csv"
+refused 2 "-o $work/own would overwrite $work/own_points.csv" "$work/own_points.csv" "${glass[@]:1}" \
+  --free zeta_a=0.1:100 -o "$work/own"
 refused 2 "radius_1 is set by $work/glass.csv and by --free" "${glass[@]}" --free radius_1=1e-6:1e-5
 refused 2 "speed is set by" "${glass[@]}" --free speed=1:10
 refused 2 "model is no parameter" "$work/glass.csv" --free model=1:10
@@ -93,6 +99,12 @@ refused 2 "columns are separated by commas" "$work/semicolons.csv" "${glass[@]:1
 sed 's/error/eror/' "$work/glass.csv" >"$work/misspelt.csv"
 solve "$work/misspelt.csv" "${glass[@]:1}" --free zeta_a=0.1:100
 check "columns that mean nothing are named" says "note: not used of $work/misspelt.csv: eror"
+sed 's/0.746/0/' "$work/glass.csv" >"$work/zero.csv"
+solve "$work/zero.csv" "${glass[@]:1}" --free zeta_a=0.1:100
+check "zeros are doubted" output_has "1 restitutions are given as the number zero"
+awk '/^#/ { print; next } { print $0 (rows++ ? ",1e9" : ",yield_strength") }' "$here/ball_scene.csv" >"$work/more.csv"
+solve "$here/ball.csv" --scene "$work/more.csv" --free bulk_time=1e-6:1e-3
+check "what a scene has beside is named" all 'status_is 0' 'says "note: yield_strength in the scene changes nothing"'
 refused 1 "are too few for 3 free parameters" "${glass[@]:0:5}" "${glass[@]:7:8}" \
   --free zeta_a=1:10 --free line_force=100:500 --free density_1=1000:3000
 # The tutorial's commands find what it says they do.

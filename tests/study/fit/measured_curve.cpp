@@ -51,9 +51,15 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_named) {
   refused("speed,restitution,speed\n", "data.csv, line 1: there are two columns speed");
   const std::string header = "speed,restitution,error\n";
   refused(header + "1,0.5\n", "data.csv, line 2: 2 cells for 3 columns");
-  refused(header + "1,,0.1\n", "data.csv, line 2: column restitution, value \"\": not a number; of a pair that stuck, "
-                               "write captured");
-  refused(header + "1,0.5,0.1\n1 m/s,0.5,0.1\n", "data.csv, line 3: column speed, value \"1 m/s\": not a number");
+  refused(header + "1,,0.1\n",
+          "data.csv, line 2: column restitution, value \"\": not a number, with a decimal point and no "
+          "unit; of a pair that stuck, write captured");
+  refused(header + "1,0.5,0.1\n1 m/s,0.5,0.1\n",
+          "data.csv, line 3: column speed, value \"1 m/s\": not a number, with a decimal "
+          "point and no unit");
+  refused(header + "1,5,0,5,0,1\n", "data.csv, line 2: 6 cells for 3 columns; numbers have a decimal point");
+  refused("speed;restitution\n", "data.csv, line 1: there is no column speed in its header, \"speed;restitution\"; "
+                                 "columns are separated by commas, numbers have a decimal point");
   refused(header + "1,-0.5,0.1\n", "data.csv, line 2: restitution = -0.5 is outside [0, 1.5)");
   refused(header + "0,0.5,0.1\n", "data.csv, line 2: speed = 0 is outside (0, inf)");
   refused(header + "1,0.5,0\n", "data.csv, line 2: error = 0 is outside (0, inf)");

@@ -82,13 +82,14 @@ private:
     for (const char* needed : {"speed", "restitution"})
       if (!place_.contains(needed))
         fail(std::string("there is no column ") + needed + " in its header, \"" + line + "\"" +
-             (curve_.columns.size() == 1 ? "; columns are separated by commas" : ""));
+             (curve_.columns.size() == 1 ? "; columns are separated by commas, numbers have a decimal point" : ""));
   }
 
   void read_row(const std::string& line) {
     std::vector<std::string> cells = split(line);
     if (cells.size() != curve_.columns.size())
-      fail(std::to_string(cells.size()) + " cells for " + std::to_string(curve_.columns.size()) + " columns");
+      fail(std::to_string(cells.size()) + " cells for " + std::to_string(curve_.columns.size()) + " columns" +
+           (cells.size() > curve_.columns.size() ? "; numbers have a decimal point" : ""));
     const auto text = [&](const char* column) { return cells[place_.at(column)]; };
     measurement m;
     m.speed = number("speed", text("speed"), positive) * units::metres_per_second;
@@ -105,7 +106,7 @@ private:
     double x = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), x);
     if (text.empty() || fault != std::errc() || end != text.data() + text.size())
-      fail("column " + column + ", value \"" + text + "\": not a number" +
+      fail("column " + column + ", value \"" + text + "\": not a number, with a decimal point and no unit" +
            (column == "restitution" ? "; of a pair that stuck, write captured" : ""));
     try {
       require(column, x, allowed);
