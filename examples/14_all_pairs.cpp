@@ -11,6 +11,7 @@
 #include <ricochet/study/map/restitution_map.hpp>
 
 #include <cstdio>
+#include <utility>
 
 int main() {
   using namespace ricochet;
@@ -23,7 +24,7 @@ int main() {
   // [family]
 
   double largest = 0;
-  for (const material& solid : {materials::water_ice, materials::quartz})
+  for (const auto& [name, solid] : {std::pair{"ice", materials::water_ice}, {"quartz", materials::quartz}})
     for (const length& radius : {0.2 * micrometres, 2.0 * micrometres, 50.0 * micrometres})
       for (const speed& v : {0.5 * metres_per_second, 5.0 * metres_per_second}) {
         // [pair]
@@ -34,8 +35,8 @@ int main() {
         // [pair]
         const auto out = collide(compose(pair, hertz{}, adhesive, viscous), impact{v});
         const jkr_groups at = groups_of(pair, adhesive, viscous, v);
-        std::printf("radius %5.1f um at %3.1f m/s: speed %8.3f, damping %.5f, ", 1e6 * in_si(radius), in_si(v),
-                    at.speed, at.damping);
+        std::printf("%6s, radius %5.1f um, at %3.1f m/s: speed %8.3f, damping %.5f, ", name, 1e6 * in_si(radius),
+                    in_si(v), at.speed, at.damping);
         if (e == e) // else outside the map
           largest = std::max(largest, std::abs(e - out.restitution.value_or(0)));
         std::printf(e == e ? "e = %.6f\n" : "outside the map\n", e);
