@@ -1,6 +1,9 @@
 // What a scalar type must offer to be put into the laws' formulas: the few things beyond + - * / sqrt log exp pow.
 // Adapters for other types stand in number/: autodiff.hpp, multiprecision.hpp, xsimd.hpp.
 #pragma once
+#if __cplusplus < 202002L
+#error "ricochet: compile as C++20, with -std=c++20 or later"
+#endif
 #include <algorithm>
 #include <cmath>
 #include <concepts>

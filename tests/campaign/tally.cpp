@@ -18,7 +18,9 @@ void tally::add(std::uint64_t index, verdict is, const finding& found) {
     keep_larger(largest_residual, {index, std::abs(found.ledger_residual)});
   if (is != verdict::certified && is != verdict::near && is != verdict::refused) {
     const std::string& said = is == verdict::wrong ? found.wrong : found.reason;
-    const auto words = said.substr(0, said.find_first_of("-0123456789")); // so that like ones are counted together
+    auto words = said.substr(0, said.find_first_of("0123456789")); // so that like ones are counted together
+    if (words.ends_with('-'))
+      words.pop_back();
     const std::string kind = verdict_names[std::size_t(is)] + (words.empty() ? "" : ": " + words);
     const auto [place, is_new] = reasons.try_emplace(kind, 0, index);
     ++place->second.first;

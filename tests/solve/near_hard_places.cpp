@@ -7,6 +7,8 @@
 #include <ricochet/closed_form/jkr.hpp>
 #include <ricochet/closed_form/thornton_ning.hpp>
 #include <ricochet/law/adhesion/dmt.hpp>
+#include <ricochet/law/adhesion/maugis_dugdale.hpp>
+#include <ricochet/law/damping/tsuji.hpp>
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/law/tangential/coulomb.hpp>
 #include <ricochet/solve/oblique/oblique.hpp>
@@ -134,6 +136,18 @@ BOOST_AUTO_TEST_CASE(edges_at_the_limits_of_their_law) {
   examined(compose(ice.pair, hertz{}, ice.adhesive, ice.exact(time * seconds, k), kuwabara_kono{2e-10 * seconds},
                    energy_ledger{}),
            v, 5'000'000, 1e-6);
+}
+
+// Tsuji's damping goes as the root of the contact radius, which is zero until the surfaces touch, amid the motion.
+BOOST_AUTO_TEST_CASE(damping_that_sets_in_with_a_root_where_surfaces_touch) {
+  const material soft{1.0 * gigapascals, 0, 1300.0 * kilograms_per_cubic_metre};
+  for (const double alpha : {0.03, 0.17, 0.44}) {
+    const auto model =
+        compose(between(sphere{soft, 0.23 * micrometres}, flat_wall{soft}), hertz{},
+                maugis_dugdale{1.7e-3 * joules_per_square_metre, 0.43 * nanometres}, tsuji{alpha}, energy_ledger{});
+    for (double v = 0.5; v < 50; v *= 1.003)
+      examined(model, v, 5000, 4e-9);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(grazing_impacts) {

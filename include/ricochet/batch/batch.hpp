@@ -147,9 +147,10 @@ private:
 template <class Model, class SceneOf>
 std::vector<outcome_of<Model>> collide_all(std::size_t count, const batch_options& options, const SceneOf& scene_of) {
   const collide_options alone{.tolerance = options.tolerance, .max_evaluations = options.max_evaluations};
+  admit(alone);
   for (std::size_t i = 0; i < count; ++i)
     try {
-      admit<Model>(scene_of(i).impact, alone);
+      admit<Model>(scene_of(i).impact);
     } catch (const bad_input& e) {
       throw bad_input("impact " + std::to_string(i) + ": " + e.what());
     }

@@ -149,10 +149,14 @@ outcome_of<Model> warned(const Model& model, speed v, outcome_of<Model> out) {
   return out;
 }
 
-template <class Model>
-void admit(const impact& impact, const collide_options& options) {
-  require("speed", impact.speed, positive);
+inline void admit(const collide_options& options) {
   require("tolerance", options.tolerance, tolerance_range);
+  require("max_evaluations", double(options.max_evaluations), range{.low = 1});
+}
+
+template <class Model>
+void admit(const impact& impact) {
+  require("speed", impact.speed, positive);
   require("slip", impact.slip, non_negative);
   if (!Model::has_friction && in_si(impact.slip) != 0)
     throw bad_input("slip = " + shown(in_si(impact.slip)) + " m/s needs a tangential law in the model: add coulomb");
@@ -166,10 +170,12 @@ void admit(const impact& impact, const collide_options& options) {
 
 /// What comes of this impact: ending, restitution and what compose() was asked for, by integration with the given
 /// stepper (solve/stepper/stepper.hpp), stepper::automatic unless another is wanted.
-/// \throws bad_input if speed is not positive and finite or the tolerance is outside [1e-12, 1e-1].
+/// \throws bad_input if speed is not positive and finite, the tolerance is outside [1e-12, 1e-1], or max_evaluations is
+/// below 1.
 template <class Stepper, class Model>
 auto integrate(const Model& model, const impact& impact, const collide_options& options, Stepper) {
-  detail::admit<Model>(impact, options);
+  detail::admit(options);
+  detail::admit<Model>(impact);
   if constexpr (Model::yields)
     return detail::warned(model, impact.speed,
                           detail::with_plastic_loss(model, impact.speed, options, [&](const collide_options& how) {
@@ -202,7 +208,8 @@ auto collide(const Model& model, const impact& impact, const collide_options& op
                             return collide(model.without_plasticity(), impact, how);
                           }));
   } else if constexpr (closed_form::solved<Model>) {
-    detail::admit<Model>(impact, options);
+    detail::admit(options);
+    detail::admit<Model>(impact);
     if (auto out = closed_form::solve(model, impact.speed))
       return detail::warned(model, impact.speed, std::move(*out));
     return integrate(model, impact, options);

@@ -133,7 +133,7 @@ private:
     while (may_go_on(h)) {
       h = std::min<real>(h, std::max<real>(longest_step_, longest_relative_step(tolerance_) * on_this_way_ / 8));
       if (!glides(method))
-        h = kink.graded(h, edge_.time_to_rest(x, flow_.piece));
+        h = kink.graded(h, edge_.time_to_kink(x, flow_.piece));
       const auto tried = method.try_step(flow_, x, h);
       if (!tried.accepted) {
         reject(tried.next);

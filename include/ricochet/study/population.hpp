@@ -60,7 +60,7 @@ public:
     using rounded_down = boost::math::binomial_distribution<double, policy<discrete_quantile<integer_round_down>>>;
     using rounded_up = boost::math::binomial_distribution<double, policy<discrete_quantile<integer_round_up>>>;
     const double n = double(size()), outside = (1 - confidence) / 2;
-    const rounded_down below(n, p); // how many of the sample are below the true quantile
+    const rounded_down below(n, p);    // how many of the sample are below the true quantile
     const auto at = [&](double rank) { // from 1
       return rank < 1 ? 0. : rank > n ? 1. : restitutions_[std::size_t(rank) - 1];
     };
@@ -148,7 +148,7 @@ population_sample sample_population(const Draw& draw, std::size_t count, const p
   using scene_type = std::invoke_result_t<const Draw&, std::mt19937_64&>;
   require("count", double(count), range{.low = 1});
   constexpr std::size_t stream = 256, chunk = 256 * stream; // collisions of one stream of random numbers; in memory
-  const collide_options alone{.tolerance = options.tolerance, .max_evaluations = options.max_evaluations};
+  detail::admit(collide_options{.tolerance = options.tolerance, .max_evaluations = options.max_evaluations});
   std::vector<double> restitutions;
   restitutions.reserve(count);
   population_counts counts;
@@ -164,7 +164,7 @@ population_sample sample_population(const Draw& draw, std::size_t count, const p
         for (std::size_t k = i * stream; k < std::min((i + 1) * stream, here); ++k)
           try {
             drawn[i].push_back(draw(random));
-            detail::admit<decltype(drawn[i].back().model)>(drawn[i].back().impact, alone);
+            detail::admit<decltype(drawn[i].back().model)>(drawn[i].back().impact);
           } catch (const bad_input& e) {
             throw bad_input("member " + std::to_string(first + k) + ": " + e.what());
           }

@@ -88,12 +88,12 @@ BOOST_AUTO_TEST_CASE(only_past_the_fold_and_opening_may_the_edge_let_go) {
   BOOST_TEST(!edge.may_let_go(past, 0));
 }
 
-BOOST_AUTO_TEST_CASE(time_to_rest_is_finite_only_on_the_way_to_it) {
+BOOST_AUTO_TEST_CASE(time_to_kink_is_finite_only_on_the_way_to_it) {
   const fitted_model numbers(fitted, scales_at(fitted, 8.0 * metres_per_second));
   const fitted_edge edge(numbers);
   const double y = 1.2 * numbers.typical()[root_contact_radius];
   const auto slow = state_at(numbers, y, 0.9, 0.0); // at rest, the closing edge relaxes towards beta = 1
-  BOOST_TEST(std::isfinite(edge.time_to_rest(slow, 1)));
+  BOOST_TEST(std::isfinite(edge.time_to_kink(slow, 1)));
   const auto away = state_at(numbers, y, 0.9, 100.0); // compression drives it away
-  BOOST_TEST(std::isinf(edge.time_to_rest(away, 1)));
+  BOOST_TEST(std::isinf(edge.time_to_kink(away, 1)));
 }

@@ -4,6 +4,7 @@
 
 #include <ricochet/law/plasticity/thornton_ning.hpp>
 #include <ricochet/study/fit/fit.hpp>
+#include <ricochet/study/fit/measured_curve.hpp>
 #include <ricochet/study/sweep.hpp>
 
 #include <random>
@@ -108,6 +109,39 @@ BOOST_AUTO_TEST_CASE(intervals_hold_the_truth_as_often_as_they_say) {
       BOOST_TEST(std::abs(share - 0.95) < 4 * std::sqrt(0.95 * 0.05 / repetitions), share);
     }
   }
+}
+
+// Of the tutorial's grains, of which the slowest that bounces comes to stick on the way to some ends.
+BOOST_AUTO_TEST_CASE(intervals_end_where_no_fit_of_the_others_is_good_enough) {
+  const auto data =
+      read_measurements(std::filesystem::path(RICOCHET_TEST_DATA "/../../examples/fit_restitution/ice.csv")).data;
+  const auto grains = [](const std::array<double, 3>& p) {
+    return compose(ice.pair, hertz{}, jkr{p[0] * joules_per_square_metre}, ice.exact(p[1] * seconds),
+                   kuwabara_kono{16 * p[1] * seconds}, thornton_ning{p[2] * pascals});
+  };
+  const std::array<free_parameter, 3> free{free_parameter{"work_of_adhesion", 0.05, 5},
+                                           free_parameter{"relaxation_time", 1e-13, 1e-9},
+                                           free_parameter{"yield_strength", 2e7, 2e10}};
+  const auto found = fit(grains, data, free);
+  for (std::size_t held = 0; held < 3; ++held)
+    for (const double end : {found.parameters[held].low, found.parameters[held].high}) {
+      const std::size_t one = held == 0 ? 1 : 0, other = held == 2 ? 1 : 2;
+      const auto others = [&](const std::array<double, 2>& p) {
+        std::array<double, 3> all{};
+        all[held] = end;
+        all[one] = p[0];
+        all[other] = p[1];
+        return grains(all);
+      };
+      const auto near = [&](std::size_t k) {
+        const double value = found.parameters[k].value;
+        return free_parameter{free[k].name, 0.87 * value, 1.15 * value};
+      };
+      const auto best = fit(others, data, std::array{near(one), near(other)}, {.starts = 200, .confidence = 0});
+      const double excess = best.chi_square - found.chi_square;
+      BOOST_TEST(std::abs(excess - 3.8415) < 0.01,
+                 free[held].name << " = " << end << ": the sum exceeds its least by " << excess);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(sticking_is_data) {

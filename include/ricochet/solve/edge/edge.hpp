@@ -1,11 +1,12 @@
-// What is particular about following a free contact edge: its law has joints, and at one of them the edge rests.
+// What is particular about following a contact whose laws have pieces: the joints between them, at some of which the
+// motion has a kink. Of a free contact edge, which rests at one of them, and of a cohesive zone, where surfaces touch.
 #pragma once
 #include <ricochet/solve/edge/edge_limits.hpp>
 #include <ricochet/solve/flow.hpp>
 
 namespace ricochet {
 
-/// Steps shrink towards a kink of the edge's speed and grow away from it in proportion to their distance.
+/// Steps shrink towards a kink of the motion and grow away from it in proportion to their distance.
 template <class Real>
 struct kink_grading {
   Real closest;                                       ///< distance, in slowed time, at which the kink is stepped onto
@@ -25,7 +26,7 @@ struct kink_grading {
   }
 };
 
-/// Questions about the edge of a reduced model while its law is on a given piece; trivial where there is no free edge.
+/// Questions about the edge of a reduced model while its law is on a given piece; trivial where there is one piece.
 template <class Reduced>
 class edge_pieces {
   using real = real_of<typename Reduced::number>;
@@ -37,18 +38,27 @@ class edge_pieces {
       return std::array<double, 0>{};
   }();
 
+  static constexpr bool touch_is_kink = Reduced::cohesive && needs_root_radius<decltype(Reduced::model_type::damping)>;
+
 public:
   explicit edge_pieces(const Reduced& model) : model_(model) {}
 
-  /// Is the joint at this side of the piece beta = 1, where the edge rests and its speed goes as |beta - 1|^n, n little
-  /// above one?
+  /// Has the motion a kink at this side of the piece? Where a free edge rests, at beta = 1, its speed goes as
+  /// |beta - 1|^n, n little above one; where surfaces with a cohesive zone touch, a root of the contact radius sets in.
   static bool has_kink(int piece, bool above) {
+    if constexpr (touch_is_kink)
+      return piece == (above ? 0 : 1);
     const int joint = above ? piece : piece - 1;
     return piece >= 0 && joint >= 0 && std::size_t(joint) < joints.size() && joints[std::size_t(joint)] == 1;
   }
 
-  /// Slowed time in which the edge comes to rest, by linear extrapolation; infinite if it does not.
-  real time_to_rest(const state_type& x, int piece) const {
+  /// Slowed time to the kink, by linear extrapolation; infinite if it is not ahead.
+  real time_to_kink(const state_type& x, int piece) const {
+    if constexpr (touch_is_kink) {
+      const real time = -value_of(x[Reduced::coordinate]) / value_of(model_.at(x, piece).coordinate_rate);
+      if (time > real(0))
+        return time;
+    }
     if constexpr (Reduced::free_edge)
       if (piece >= 0) {
         const real gap = value_of(model_.root_ratio(x)) - real(1);

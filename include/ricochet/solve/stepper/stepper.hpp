@@ -51,7 +51,7 @@ Real resized(const Real& h, const Real& error, int order) {
 template <template <class State, class Real> class Pair>
 struct embedded {
   /// Error of a whole collision's energy to be reckoned with, in units of the step tolerance, unless found larger.
-  static constexpr double usual_error = 0.25;
+  static constexpr double usual_error = 0.35;
 
   template <class Flow>
   class method {
@@ -103,7 +103,7 @@ struct embedded {
 /// is that of one step against two halves.
 template <template <class State, class Real> class Method>
 struct doubled {
-  static constexpr double usual_error = 0.8;
+  static constexpr double usual_error = 1.3;
 
   template <class Flow>
   class method {

@@ -59,7 +59,7 @@ typename Flow::state_type extrapolated(Extrapolation stepper, Flow& f, typename 
 
 /// odeint's Bulirsch-Stoer extrapolation, which controls its own step.
 struct bulirsch_stoer {
-  static constexpr double usual_error = 0.8;
+  static constexpr double usual_error = 1.3;
 
   template <class Flow>
   class method {
@@ -92,7 +92,7 @@ struct bulirsch_stoer {
 /// The same in its form with dense output, whose steps are longer. The output itself errs more than they do, and is
 /// not used: events are stepped to.
 struct bulirsch_stoer_dense_out {
-  static constexpr double usual_error = 0.8;
+  static constexpr double usual_error = 1.3;
 
   template <class Flow>
   class method {

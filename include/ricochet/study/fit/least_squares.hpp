@@ -203,20 +203,38 @@ private:
     return square(result_.scatter * quantile(student, upper_tail));
   }
 
+  /// Where the others go with a parameter, as long as restitutions are linear in all.
+  search::numbers valley_at(double position, std::size_t k) const {
+    search::numbers x = best_.x;
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      const double slope =
+          result_.correlation(Eigen::Index(j), Eigen::Index(k)) * standard_errors_[j] / standard_errors_[k];
+      if (std::isfinite(slope))
+        x[j] = std::clamp(x[j] + slope * (position - best_.x[k]), 0., 1.);
+    }
+    return x;
+  }
+
   /// Where the least sum of squares with this parameter held exceeds the least of all by what is allowed.
   void seek_end_of_interval(std::size_t k, double side) {
     using boost::math::tools::toms748_solve;
     const double allowed_excess = allowed();
-    search::place within = best_; // the others follow from the last place in the interval: far outside they may be lost
+    search::place within = best_; // the last in the interval: far outside the others may be lost
     const auto excess = [&](double position) {
-      search::numbers x = within.x;
-      x[k] = position;
-      const search::place found = search_.minimised(x, k, search::along_profile);
+      const auto beyond = [&](const search::place& found) {
+        return found.square_sum - best_.square_sum - allowed_excess;
+      };
+      const auto from = [&](search::numbers x) {
+        x[k] = position;
+        return search_.minimised(x, k, search::along_profile);
+      };
+      search::place found = from(within.x);
+      if (beyond(found) > 0) // from there the way may be cut off by a measurement that comes to stick on it
+        found = std::min(found, from(valley_at(position, k)));
       better_ = std::min(better_, found);
-      const double beyond = found.square_sum - best_.square_sum - allowed_excess;
-      if (!(beyond > 0))
+      if (!(beyond(found) > 0))
         within = found;
-      return beyond;
+      return beyond(found);
     };
     auto& [name, value, standard_error, low, high] = result_.parameters[k];
     const double end = side < 0 ? 0 : 1;

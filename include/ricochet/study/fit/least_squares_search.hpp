@@ -316,7 +316,7 @@ private:
       return 0;
     }
     int df(const Eigen::VectorXd& u, Eigen::MatrixXd& jacobian) const {
-      const Eigen::MatrixXd whole = exact ? fit.derivatives(position(u)) : fit.differences(position(u), 1e-3, 1e-6);
+      const Eigen::MatrixXd whole = exact ? fit.derivatives(position(u)) : fit.differences(position(u), 1e-4, 1e-8);
       for (std::size_t m = 0; m < moves.size(); ++m)
         jacobian.col(Eigen::Index(m)) = whole.col(Eigen::Index(moves[m])) * (std::cos(u[Eigen::Index(m)]) / 2);
       return 0;
