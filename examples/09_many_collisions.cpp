@@ -38,7 +38,9 @@ int main() {
     for (int i = 0; i < 20'000; ++i)
       scenes.push_back(impact_of(10 * std::exp(spread(random)) * micrometres));
 
-    const auto outcomes = collide(scenes, {.tolerance = 1e-6});
+    const auto outcomes = collide(scenes, {.tolerance = 1e-6, .progress = [](std::size_t done, std::size_t of) {
+                                             std::fprintf(stderr, done < of ? "\r%zu of %zu" : "\r", done, of);
+                                           }});
     // [batch]
     const auto start = std::chrono::steady_clock::now();
     collide(scenes, {.tolerance = 1e-6});

@@ -4,8 +4,7 @@ load ARG0[1:strlen(ARG0) - strlen('kharaz_2001.gp')] . 'common.gp'
 quantities = 'tangential_restitution spin contact_point_angle'
 labels = "'tangential restitution' 'spin (rad/s)' 'rebound of the contact point (degrees)'"
 lows = '0.5 0 -20'
-highs = '1 900 90'
-places = "'bottom right' 'top right' 'top left'"
+highs = '1 1200 90'
 
 do for [format in 'svg png'] {
   data = csv('kharaz_2001')
@@ -18,8 +17,8 @@ do for [format in 'svg png'] {
   do for [i = 1:3] {
     name = word(quantities, i)
     set ylabel word(labels, i)
+    if (i == 2) { set key top right } else { unset key }
     set yrange [word(lows, i) + 0:word(highs, i) + 0]
-    eval 'set key ' . word(places, i)
     plot \
       data using 'angle':(column(name . '_coulomb')) with lines lw 2 dt 2 lc rgb blue title 'coulomb', \
       data using 'angle':(column(name . '_mindlin')) with lines lw 2.5 lc rgb red title 'mindlin', \

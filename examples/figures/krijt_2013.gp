@@ -13,21 +13,21 @@ do for [format in 'svg png'] {
     set xlabel 'mutual approach {/Symbol d} (10^{-8} m)'
     set ylabel 'contact radius a (10^{-7} m)'
     set xrange [(number eq '2' ? -1.5 : -0.75):(number eq '2' ? 4 : 1.75)]
-    set key top left
-    plot \
-      data using (column('mutual_approach') * 1e8):(column('hertz_contact_radius') * 1e7) with lines lw 2 dt 3 lc rgb grey title 'Hertz', \
-      data using (column('mutual_approach') * 1e8):(column('jkr_contact_radius') * 1e7) with lines lw 2 dt 2 lc rgb blue title 'JKR', \
-      data using (column('mutual_approach') * 1e8):(column('jkr_snap_on_contact_radius') * 1e7) with lines lw 1.2 dt 2 lc rgb blue notitle, \
-      data using (column('mutual_approach') * 1e8):(column('contact_radius') * 1e7) with lines lw 2.5 lc rgb red title 'viscoelastic JKR', \
-      data using (column('mutual_approach') * 1e8):(column('jkr_equilibrium_contact_radius') * 1e7) with points pt 3 ps 1.5 lw 2 lc rgb '#000000' title 'JKR at rest'
-    set ylabel 'elastic force F_E ({/Symbol m}N)'
     unset key
     plot \
-      data using (column('mutual_approach') * 1e8):(column('hertz_force') * 1e6) with lines lw 2 dt 3 lc rgb grey, \
-      data using (column('mutual_approach') * 1e8):(column('jkr_force') * 1e6) with lines lw 2 dt 2 lc rgb blue, \
-      data using (column('mutual_approach') * 1e8):(column('jkr_snap_on_force') * 1e6) with lines lw 1.2 dt 2 lc rgb blue, \
-      data using (column('mutual_approach') * 1e8):(column('elastic_force') * 1e6) with lines lw 2.5 lc rgb red, \
-      data using (column('mutual_approach') * 1e8):(column('jkr_equilibrium_force') * 1e6) with points pt 3 ps 1.5 lw 2 lc rgb '#000000'
+      data using (column('mutual_approach') * 1e8):(column('hertz_contact_radius') * 1e7) with lines lw 2 dt 3 lc rgb grey, \
+      data using (column('mutual_approach') * 1e8):(column('jkr_contact_radius') * 1e7) with lines lw 2 dt 2 lc rgb blue, \
+      data using (column('mutual_approach') * 1e8):(column('jkr_snap_on_contact_radius') * 1e7) with lines lw 1.2 dt 2 lc rgb blue, \
+      data using (column('mutual_approach') * 1e8):(column('contact_radius') * 1e7) with lines lw 2.5 lc rgb red, \
+      data using (column('mutual_approach') * 1e8):(column('jkr_equilibrium_contact_radius') * 1e7) with points pt 3 ps 1.5 lw 2 lc rgb '#000000'
+    set ylabel 'elastic force F_E ({/Symbol m}N)'
+    set key top left
+    plot \
+      data using (column('mutual_approach') * 1e8):(column('hertz_force') * 1e6) with lines lw 2 dt 3 lc rgb grey title 'Hertz', \
+      data using (column('mutual_approach') * 1e8):(column('jkr_force') * 1e6) with lines lw 2 dt 2 lc rgb blue title 'JKR', \
+      data using (column('mutual_approach') * 1e8):(column('jkr_snap_on_force') * 1e6) with lines lw 1.2 dt 2 lc rgb blue notitle, \
+      data using (column('mutual_approach') * 1e8):(column('elastic_force') * 1e6) with lines lw 2.5 lc rgb red title 'viscoelastic JKR', \
+      data using (column('mutual_approach') * 1e8):(column('jkr_equilibrium_force') * 1e6) with points pt 3 ps 1.5 lw 2 lc rgb '#000000' title 'JKR at rest'
     unset multiplot
   }
 
@@ -107,7 +107,7 @@ do for [format in 'svg png'] {
   set ylabel 'coefficient of restitution e'
   set xrange [0.2:100]
   set yrange [0:1.05]
-  set key bottom right title 'sticking speed of JKR over v_y'
+  set key below horizontal title 'sticking speed of JKR over v_y'
   plot \
     data using 'speed_over_yield_speed':'plastic' with lines lw 2 dt 3 lc rgb grey title 'no adhesion (29)', \
     data using 'speed_over_yield_speed':'motion_0.1' with lines lw 2.5 lc rgb blue title '0.1', \
@@ -121,7 +121,7 @@ do for [format in 'svg png'] {
   set logscale y
   set format y '10^{%T}'
   set yrange [1e-5:1]
-  set key top right title ''
+  set key below horizontal title 'sticking speed of JKR over v_y'
   plot \
     data using 'speed_over_yield_speed':'added_minus_motion_1' with lines lw 2.5 lc rgb red title '1', \
     data using 'speed_over_yield_speed':'added_minus_motion_0.3' with lines lw 2.5 lc rgb green title '0.3', \

@@ -38,12 +38,13 @@ array names = ['damped', 'undamped']
 array laws = ['with bulk damping, A = T_{vis}/{/Symbol n}^2', 'without bulk damping']
 
 place(n) = real(word(strcol(1), n)) # of a border, whose columns no comma separates
-marks = "$%s using (place(1)):(place(2)) with lines lw 2 lc rgb '#000000' title 'captured, within', \
+marks = "$%s using (place(1)):(place(2)) with lines lw 2 lc rgb '#000000' title 'captured within', \
   file using ((!ended(0)) ? log10($2) : NaN):(log10($1)) with points pt 2 ps 0.8 lc rgb '#ff0000' title 'unresolved or failed', \
   file using ((ended(0) && $4 == 0) ? log10($2) : NaN):(log10($1)) with points pt 6 ps 0.8 lc rgb '#ff00ff' title 'ending uncertain', \
-  file using ((ended(0) && $6 > 1e-8) ? log10($2) : NaN):(log10($1)) with points pt 4 ps 0.8 lc rgb '#0000ff' title 'estimate above tolerance'"
+  file using ((ended(0) && $6 > 1e-8) ? log10($2) : NaN):(log10($1)) with points pt 4 ps 0.8 lc rgb '#0000ff' title 'estimate above tolerance', \
+  file using ((is('separated') && strcol(7) eq '') ? log10($2) : NaN):(log10($1)) with points pt 1 ps 0.8 lc rgb '#000000' title 'no closer solution to compare'"
 
-# Cells without an error, e = 0 among them, are grey: an image needs a number everywhere, and an empty column has none.
+# Cells without an error, of pairs that stick among them, are grey: an image needs a number everywhere, and an empty column has none.
 shaded(name) = "< awk -F, '/^[0-9]/ { shade = -6.5; if ($3 == \"separated\" && $7 != \"\") { \
   shade = $7 > 1e-14 ? log($7 / 1e-8) / log(10) : -6 } \
   print log($2) / log(10) \",\" log($1) / log(10) \",\" shade }' '" . csv(name) . "'"
@@ -53,7 +54,7 @@ do for [format in 'svg png'] {
     set title sprintf("error of e over tolerance\n{/*0.8 %s, %s}", about, laws[i])
     set cblabel '|e - e at a hundredth of the tolerance| / tolerance'
     set cbrange [-7:1]
-    set cbtics ('e = 0' -6.5, '10^{-6}' -6, '10^{-5}' -5, '10^{-4}' -4, '10^{-3}' -3, '10^{-2}' -2, '0.1' -1, '1' 0, '10' 1)
+    set cbtics ('none' -6.5, '10^{-6}' -6, '10^{-5}' -5, '10^{-4}' -4, '10^{-3}' -3, '10^{-2}' -2, '0.1' -1, '1' 0, '10' 1)
     set palette defined (-7 '#d0d0d0', -6.01 '#d0d0d0', -6 '#440154', -4 '#3b528b', -2 '#21918c', -0.01 '#fde725', 0 '#d55e00', 1 '#d55e00')
     eval draw(names[i] . '_error')
     eval "plot shaded(names[i]) using 1:2:3 with image notitle, " . sprintf(marks, names[i])

@@ -17,8 +17,17 @@ holds_truth() { # NAME TRUTH: it is inside the interval, which is no wider than 
   holds "$3 < $1 && $1 < $4 && $4 - $3 < 0.2 * $1 && $3 < $2 && $2 < $4"
 }
 
+# The same from the page beside the program.
+shown() { sed -nE "s/^$1 += ([^ ]*) .*between ([^ ]*) and (.*)$/\1 \2 \3/p" "$here/README.md"; }
+is_as_shown() { # NAME: to a thousandth
+  # shellcheck disable=SC2046
+  set -- $(found "$1") $(shown "$1")
+  holds "$# == 6 && ($1 / $4 - 1) ^ 2 < 1e-6 && ($2 / $5 - 1) ^ 2 < 1e-6 && ($3 / $6 - 1) ^ 2 < 1e-6"
+}
+
 solve "$here/ball.csv" --scene "$here/ball_scene.csv" --free bulk_time=1e-6:1e-3 -o "$work/fit"
 check "a rubber ball: A is in its interval" holds_truth bulk_time 6e-5
+check "which is the one shown" is_as_shown bulk_time
 check "the fit of unknown errors tells the scatter" output_has "scatter of one restitution: 0.00342, from 7 degrees"
 
 solve "${ice[@]}" "${wide[@]}" -o "$work/fit"
@@ -26,6 +35,9 @@ check "made-up grains: fitted in silence" all 'status_is 0' '[ ! -s "$work/err" 
 check "w is in its interval" holds_truth work_of_adhesion 0.7
 check "T_vis is in its interval" holds_truth relaxation_time 1.2e-11
 check "Y is in its interval" holds_truth yield_strength 3e8
+for name in work_of_adhesion relaxation_time yield_strength; do
+  check "$name is as shown" is_as_shown $name
+done
 check "it says what was fitted" output_has "24 measurements, 4 of them captured; hertz+jkr+greenwood+kuwabara_kono"
 check "a warning for what acts together" output_has "note: work_of_adhesion and relaxation_time can hardly be told apart"
 check "the tied column is in the result" grep -q '"bulk_time": 1\.' "$work/fit.json"
@@ -103,6 +115,14 @@ sed 's/0.746/0/' "$work/glass.csv" >"$work/zero.csv"
 solve "$work/zero.csv" "${glass[@]:1}" --free zeta_a=0.1:100
 check "zeros are doubted" output_has "1 restitutions are given as the number zero"
 awk '/^#/ { print; next } { print $0 (rows++ ? ",1e9" : ",yield_strength") }' "$here/ball_scene.csv" >"$work/more.csv"
+# The same from the page beside the program.
+shown() { sed -nE "s/^$1 += ([^ ]*) .*between ([^ ]*) and (.*)$/\1 \2 \3/p" "$here/README.md"; }
+is_as_shown() { # NAME: to a thousandth
+  # shellcheck disable=SC2046
+  set -- $(found "$1") $(shown "$1")
+  holds "$# == 6 && ($1 / $4 - 1) ^ 2 < 1e-6 && ($2 / $5 - 1) ^ 2 < 1e-6 && ($3 / $6 - 1) ^ 2 < 1e-6"
+}
+
 solve "$here/ball.csv" --scene "$work/more.csv" --free bulk_time=1e-6:1e-3
 check "what a scene has beside is named" all 'status_is 0' 'says "note: yield_strength in the scene changes nothing"'
 refused 1 "are too few for 3 free parameters" "${glass[@]:0:5}" "${glass[@]:7:8}" \
@@ -110,6 +130,14 @@ refused 1 "are too few for 3 free parameters" "${glass[@]:0:5}" "${glass[@]:7:8}
 # The tutorial's commands find what it says they do.
 (cd "$work" && "$program" glass.csv "${glass[@]:1}" --free zeta_a=0.1:100) >"$work/out"
 check "the tutorial's zeta_a" grep -qF "$(sed -n '2,3p' "$work/out")" "$here/README.md"
+# The same from the page beside the program.
+shown() { sed -nE "s/^$1 += ([^ ]*) .*between ([^ ]*) and (.*)$/\1 \2 \3/p" "$here/README.md"; }
+is_as_shown() { # NAME: to a thousandth
+  # shellcheck disable=SC2046
+  set -- $(found "$1") $(shown "$1")
+  holds "$# == 6 && ($1 / $4 - 1) ^ 2 < 1e-6 && ($2 / $5 - 1) ^ 2 < 1e-6 && ($3 / $6 - 1) ^ 2 < 1e-6"
+}
+
 solve "$here/ball.csv" --scene "$here/ball_scene.csv" --free bulk_time=1e-6:1e-3
 check "the tutorial's bulk_time" grep -qF "$(sed -n '2p' "$work/out")" "$here/README.md"
 
