@@ -44,7 +44,7 @@ typename Flow::state_type extrapolated(Extrapolation stepper, Flow& f, typename 
   using real = typename Flow::real;
   typename Flow::state_type out{};
   real t = 0, next = h;
-  for (int tries = 0; tries < 1000; ++tries) {
+  for (int tries = 0; tries < 32; ++tries) {
     next = std::min<real>(next, h - t);
     if (stepper.try_step(std::ref(f), x, t, out, next) == odeint::success)
       x = out;
