@@ -85,10 +85,12 @@ private:
   /// law), finds no error above its estimate, nor tests/campaign/run --compare-every 1 more than one in 100000.
   real by_chance() const {
     real of_steps = Reduced::damped && (!Reduced::adhesive || Reduced::cohesive) ? 2 : 1;
-    if (Reduced::adhesive || Reduced::attracted)
+    if (Reduced::attracted || Reduced::cohesive)
       of_steps *= real(1.5f);
+    else if (Reduced::adhesive)
+      of_steps *= real(1.25f);
     if constexpr (Reduced::free_edge)
-      of_steps = limited_crack_law<decltype(Model::crack)> ? 2 : 3;
+      of_steps = limited_crack_law<decltype(Model::crack)> ? real(1.75f) : real(3);
     if (Reduced::adhesive || Reduced::damped || Reduced::attracted)
       of_steps *= max<real>(1, cbrt(real(4e6f) * refinement * tolerance_));
     return of_steps * fine_.usual_error() * tolerance_ / speed_ *
