@@ -38,7 +38,7 @@ array names = ['damped', 'undamped']
 array laws = ['with bulk damping, A = T_{vis}/{/Symbol n}^2', 'without bulk damping']
 
 place(n) = real(word(strcol(1), n)) # of a border, whose columns no comma separates
-marks = "$%s using (place(1)):(place(2)) with lines lw 2 lc rgb '#000000' title 'captured within', \
+marks = "$%s using (place(1)):(place(2)) with lines lw 2 lc rgb '#000000' title 'limit of capture', \
   file using ((!ended(0)) ? log10($2) : NaN):(log10($1)) with points pt 2 ps 0.8 lc rgb '#ff0000' title 'unresolved or failed', \
   file using ((ended(0) && $4 == 0) ? log10($2) : NaN):(log10($1)) with points pt 6 ps 0.8 lc rgb '#ff00ff' title 'ending uncertain', \
   file using ((ended(0) && $6 > 1e-8) ? log10($2) : NaN):(log10($1)) with points pt 4 ps 0.8 lc rgb '#0000ff' title 'estimate above tolerance', \
